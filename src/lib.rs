@@ -1,0 +1,6 @@
+//! A Whitted-style recursive ray tracer for POV-Ray 3.7 scenes.
+
+pub mod diag;
+pub mod function;
+pub mod math;
+pub mod scene;

@@ -1,0 +1,20 @@
+//! Vectors, transforms, rays, bounds, polynomial roots and their error bounds.
+//!
+//! Geometry is `f64` throughout; colours are `f32`, as in POV-Ray.
+//!
+//! ```
+//! use whitted::math::{DVec3, Transform};
+//! let turned = Transform::rotation_deg(DVec3::new(0.0, 0.0, 90.0)).then(&Transform::translation(DVec3::X));
+//! assert!((turned.point(DVec3::X) - DVec3::new(1.0, 1.0, 0.0)).length() < 1e-15);
+//! ```
+
+mod bounds;
+mod color;
+mod ray;
+mod transform;
+
+pub use bounds::Bounds;
+pub use color::{Color, Rgb, gray};
+pub use glam::{DMat3, DVec2, DVec3, DVec4};
+pub use ray::{Range, Ray};
+pub use transform::{SingularMatrix, Transform};

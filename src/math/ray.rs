@@ -1,0 +1,47 @@
+//! Rays and the parameter range in which a hit counts.
+
+use super::DVec3;
+
+/// A half line `origin + t * direction`.
+///
+/// The direction is a unit vector where the camera or a bounce makes the ray.
+/// Transforming a ray does not normalise it again, so `t` is the same number in
+/// every space of the scene graph and means world distance.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// Where `t == 0`.
+    pub origin: DVec3,
+    /// Displacement per unit of `t`.
+    pub direction: DVec3,
+}
+
+impl Ray {
+    /// A ray as given; the direction is not normalised.
+    pub fn new(origin: DVec3, direction: DVec3) -> Self {
+        Self { origin, direction }
+    }
+
+    /// The point at parameter `t`.
+    pub fn at(&self, t: f64) -> DVec3 {
+        self.origin + self.direction * t
+    }
+}
+
+/// Open interval `min < t < max` of ray parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct Range {
+    /// Excluded lower end.
+    pub min: f64,
+    /// Excluded upper end.
+    pub max: f64,
+}
+
+impl Range {
+    /// Everything in front of the origin.
+    pub const FORWARD: Self = Self { min: 0.0, max: f64::INFINITY };
+
+    /// Whether `t` lies strictly inside; false for NaN.
+    pub fn contains(&self, t: f64) -> bool {
+        self.min < t && t < self.max
+    }
+}

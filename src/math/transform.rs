@@ -1,0 +1,184 @@
+//! Affine maps that carry their inverse along.
+
+use super::{Bounds, DMat3, DVec3, Ray};
+use glam::DAffine3;
+
+/// An invertible affine map, with its inverse.
+///
+/// Named for what it turns into what: a variable `parent_from_local` takes local
+/// points to the parent's space through [`point`](Self::point), and rays back down
+/// through [`inverse_ray`](Self::inverse_ray). Columns are images of the axes, so
+/// POV-Ray's row-vector matrix is the transpose of ours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transform {
+    forward: DAffine3,
+    backward: DAffine3,
+}
+
+/// A matrix that has no inverse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SingularMatrix;
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
+impl Transform {
+    /// Leaves everything where it is.
+    pub const IDENTITY: Self = Self { forward: DAffine3::IDENTITY, backward: DAffine3::IDENTITY };
+
+    /// Moves points by `offset`; vectors stay.
+    pub fn translation(offset: DVec3) -> Self {
+        Self { forward: DAffine3::from_translation(offset), backward: DAffine3::from_translation(-offset) }
+    }
+
+    /// Scales along the axes. A zero component must have been replaced before (POV-Ray makes it 1).
+    pub fn scaling(factors: DVec3) -> Self {
+        Self { forward: DAffine3::from_scale(factors), backward: DAffine3::from_scale(factors.recip()) }
+    }
+
+    /// Rotates about x, then y, then z, in degrees, by the left-hand rule (y to z, z to x, x to y).
+    pub fn rotation_deg(angles: DVec3) -> Self {
+        let about = |axis: usize, degrees: f64| {
+            // Quarter turns are exact, as scenes that build on them expect.
+            let (sin, cos) = match degrees.rem_euclid(360.0) {
+                0.0 => (0.0, 1.0),
+                90.0 => (1.0, 0.0),
+                180.0 => (0.0, -1.0),
+                270.0 => (-1.0, 0.0),
+                _ => degrees.to_radians().sin_cos(),
+            };
+            let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+            let mut columns = [DVec3::X, DVec3::Y, DVec3::Z];
+            columns[i][i] = cos;
+            columns[i][j] = sin;
+            columns[j][i] = -sin;
+            columns[j][j] = cos;
+            DMat3::from_cols(columns[0], columns[1], columns[2])
+        };
+        let linear = about(2, angles.z) * about(1, angles.y) * about(0, angles.x);
+        Self { forward: DAffine3::from_mat3(linear), backward: DAffine3::from_mat3(linear.transpose()) }
+    }
+
+    /// From the images of the three axes and of the origin.
+    ///
+    /// # Errors
+    /// [`SingularMatrix`] when the axes' images do not span space, or anything is not finite.
+    pub fn from_columns(x: DVec3, y: DVec3, z: DVec3, origin: DVec3) -> Result<Self, SingularMatrix> {
+        let forward = DAffine3 { matrix3: DMat3::from_cols(x, y, z), translation: origin };
+        let backward = forward.inverse();
+        if forward.is_finite() && backward.is_finite() { Ok(Self { forward, backward }) } else { Err(SingularMatrix) }
+    }
+
+    /// First `self`, then `next`: the order in which a scene file writes them.
+    #[must_use]
+    pub fn then(&self, next: &Self) -> Self {
+        Self { forward: next.forward * self.forward, backward: self.backward * next.backward }
+    }
+
+    /// The map the other way round.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self { forward: self.backward, backward: self.forward }
+    }
+
+    /// Whether nothing moves, exactly.
+    pub fn is_identity(&self) -> bool {
+        self.forward == DAffine3::IDENTITY
+    }
+
+    /// The linear part: columns are the images of the axes.
+    pub fn linear(&self) -> DMat3 {
+        self.forward.matrix3
+    }
+
+    /// The linear part of the inverse.
+    pub fn inverse_linear(&self) -> DMat3 {
+        self.backward.matrix3
+    }
+
+    /// The image of the origin.
+    pub fn origin(&self) -> DVec3 {
+        self.forward.translation
+    }
+
+    /// Carries a point forward.
+    pub fn point(&self, p: DVec3) -> DVec3 {
+        self.forward.transform_point3(p)
+    }
+
+    /// Carries a displacement forward.
+    pub fn vector(&self, v: DVec3) -> DVec3 {
+        self.forward.transform_vector3(v)
+    }
+
+    /// Carries a surface normal forward, by the inverse transpose; not normalised.
+    pub fn normal(&self, n: DVec3) -> DVec3 {
+        let m = &self.backward.matrix3;
+        DVec3::new(m.x_axis.dot(n), m.y_axis.dot(n), m.z_axis.dot(n))
+    }
+
+    /// Carries a point backward.
+    pub fn inverse_point(&self, p: DVec3) -> DVec3 {
+        self.backward.transform_point3(p)
+    }
+
+    /// Carries a displacement backward.
+    pub fn inverse_vector(&self, v: DVec3) -> DVec3 {
+        self.backward.transform_vector3(v)
+    }
+
+    /// Carries a surface normal backward, by the transpose; not normalised.
+    pub fn inverse_normal(&self, n: DVec3) -> DVec3 {
+        let m = &self.forward.matrix3;
+        DVec3::new(m.x_axis.dot(n), m.y_axis.dot(n), m.z_axis.dot(n))
+    }
+
+    /// Carries a ray backward, from the parent's space to the local one; `t` keeps its meaning.
+    pub fn inverse_ray(&self, ray: &Ray) -> Ray {
+        Ray { origin: self.inverse_point(ray.origin), direction: self.inverse_vector(ray.direction) }
+    }
+
+    /// The box around the image of a box.
+    pub fn bounds(&self, local: &Bounds) -> Bounds {
+        local.transformed(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Probes of the language facts, section 16: extents of the box <0,0,0>,<1,2,3>.
+    fn check(transform: &Transform, min: [f64; 3], max: [f64; 3]) {
+        let moved = transform.bounds(&Bounds::from_corners(DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0)));
+        assert!((moved.min - DVec3::from(min)).abs().max_element() < 1e-12, "{moved:?}");
+        assert!((moved.max - DVec3::from(max)).abs().max_element() < 1e-12, "{moved:?}");
+    }
+
+    #[test]
+    fn transforms_compose_in_written_order() {
+        let (quarter, shift) = (Transform::rotation_deg(DVec3::Z * 90.0), Transform::translation(DVec3::X));
+        check(&quarter, [-2.0, 0.0, 0.0], [0.0, 1.0, 3.0]);
+        check(&shift.then(&quarter), [-2.0, 1.0, 0.0], [0.0, 2.0, 3.0]);
+        check(&quarter.then(&shift), [-1.0, 0.0, 0.0], [1.0, 1.0, 3.0]);
+        check(&shift.then(&quarter).inverse(), [-1.0, -1.0, 0.0], [1.0, 0.0, 3.0]);
+        check(&Transform::rotation_deg(DVec3::splat(90.0)), [0.0, 0.0, -1.0], [3.0, 2.0, 0.0]);
+    }
+
+    #[test]
+    fn normals_stay_perpendicular_to_the_surface() {
+        let t =
+            Transform::scaling(DVec3::new(1.0, 2.0, 5.0)).then(&Transform::rotation_deg(DVec3::new(10.0, 20.0, 30.0)));
+        let (tangent, normal) = (DVec3::new(1.0, -1.0, 0.0), DVec3::new(1.0, 1.0, 0.3));
+        assert!(t.vector(tangent).dot(t.normal(normal)).abs() < 1e-14);
+        assert!((t.inverse_normal(t.normal(normal)) - normal).length() < 1e-14);
+    }
+
+    #[test]
+    fn singular_matrices_are_refused() {
+        assert_eq!(Transform::from_columns(DVec3::X, DVec3::X, DVec3::Z, DVec3::ZERO), Err(SingularMatrix));
+    }
+}

@@ -1,0 +1,49 @@
+//! What a ray meets where it meets nothing, and on its way.
+
+use super::{Pigment, Turbulence};
+use crate::math::{Color, DVec3, Rgb, Transform};
+use std::sync::Arc;
+
+/// `sky_sphere`: pigments on an infinite sphere, last on top.
+#[derive(Clone, Debug)]
+pub struct SkySphere {
+    /// Layers, lowest first.
+    pub pigments: Vec<Arc<Pigment>>,
+    /// Colour factor.
+    pub emission: Rgb,
+    /// Transformations after the pigments.
+    pub transform: Transform,
+}
+
+/// `fog`.
+#[derive(Clone, Debug)]
+#[allow(missing_docs)]
+pub struct Fog {
+    /// Type 2: density falls off with height.
+    pub ground: bool,
+    pub distance: f64,
+    pub color: Color,
+    pub offset: f64,
+    pub alt: f64,
+    /// Unit vector.
+    pub up: DVec3,
+    pub turbulence: Option<Turbulence>,
+    pub turb_depth: f64,
+}
+
+/// `rainbow`.
+#[derive(Clone, Debug)]
+#[allow(missing_docs)]
+pub struct Rainbow {
+    pub direction: DVec3,
+    /// Unit, perpendicular to `direction`.
+    pub up: DVec3,
+    pub angle_deg: f64,
+    pub width_deg: f64,
+    pub distance: f64,
+    pub jitter: f64,
+    pub arc_angle_deg: Option<f64>,
+    pub falloff_angle_deg: Option<f64>,
+    /// The band's colours over 0..1.
+    pub pigment: Arc<Pigment>,
+}

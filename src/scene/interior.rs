@@ -1,0 +1,99 @@
+//! What fills an object: index of refraction, attenuation, media.
+
+use super::Pattern;
+use super::texture::Blend;
+use crate::math::{Color, Rgb, Transform};
+use std::sync::Arc;
+
+/// `interior { … }`.
+#[derive(Clone, Debug)]
+#[allow(missing_docs)]
+pub struct Interior {
+    /// 0 where none was given.
+    pub ior: f64,
+    pub caustics: f64,
+    pub dispersion: f64,
+    pub dispersion_samples: u32,
+    pub fade_distance: f64,
+    pub fade_power: f64,
+    pub fade_color: Rgb,
+    /// Legacy `refraction`.
+    pub refraction: f64,
+    pub media: Vec<Media>,
+}
+
+impl Default for Interior {
+    fn default() -> Self {
+        Self {
+            ior: 0.0,
+            caustics: 0.0,
+            dispersion: 1.0,
+            dispersion_samples: 7,
+            fade_distance: 0.0,
+            fade_power: 0.0,
+            fade_color: Rgb::ZERO,
+            refraction: 1.0,
+            media: Vec::new(),
+        }
+    }
+}
+
+impl Interior {
+    /// Moves the media's densities.
+    pub fn apply(&mut self, transform: &Transform) {
+        for media in &mut self.media {
+            media.apply(transform);
+        }
+    }
+}
+
+/// `media { … }`: parsed in full, rendered from a later version on.
+#[derive(Clone, Debug)]
+#[allow(missing_docs)]
+pub struct Media {
+    pub method: u8,
+    pub intervals: u32,
+    pub samples: [u32; 2],
+    pub jitter: f64,
+    pub aa_level: u32,
+    pub aa_threshold: f64,
+    pub confidence: f64,
+    pub variance: f64,
+    pub ratio: f64,
+    pub absorption: Rgb,
+    pub emission: Rgb,
+    /// Scattering type (1 to 5, 0 for none), colour, eccentricity, extinction.
+    pub scattering: (u8, Rgb, f64, f64),
+    pub density: Vec<Arc<Density>>,
+    pub collect: bool,
+}
+
+impl Media {
+    /// Moves the densities written so far.
+    pub fn apply(&mut self, transform: &Transform) {
+        for density in &mut self.density {
+            Arc::make_mut(density).apply(transform);
+        }
+    }
+}
+
+/// A density: a colour for each point.
+#[derive(Clone, Debug)]
+pub enum Density {
+    /// The same everywhere.
+    Solid(Color),
+    /// A pattern through colours.
+    Colors(Pattern, Blend<Color>),
+    /// A pattern through other densities.
+    Densities(Pattern, Blend<Arc<Density>>),
+}
+
+impl Density {
+    /// Applies a transformation written after everything so far.
+    pub fn apply(&mut self, transform: &Transform) {
+        match self {
+            Self::Solid(_) => {}
+            Self::Colors(p, _) | Self::Densities(p, _) => p.apply(transform),
+        }
+    }
+}

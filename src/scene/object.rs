@@ -1,0 +1,153 @@
+//! Objects: a shape, where it stands, what it looks like.
+
+use super::{Interior, Shape, Texture};
+use crate::diag::Span;
+use crate::math::{Bounds, Transform};
+use std::sync::Arc;
+
+/// One object statement with all its modifiers.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// Geometry in its own space; for CSG, the children.
+    pub shape: Shape,
+    /// Takes the shape's space to the space of the containing object or the world.
+    pub transform: Transform,
+    /// The texture, if the object has one of its own.
+    pub texture: Option<PlacedTexture>,
+    /// What the inside of the surface looks like, if that differs.
+    pub interior_texture: Option<PlacedTexture>,
+    /// `interior`, if the object has one of its own.
+    pub interior: Option<Arc<Interior>>,
+    /// `clipped_by` objects, in the containing space.
+    pub clipped_by: Vec<Arc<Object>>,
+    /// `bounded_by` objects, in the containing space.
+    pub bounded_by: Vec<Arc<Object>>,
+    /// On/off modifiers.
+    pub flags: Flags,
+    /// Photon settings: parsed, not used yet.
+    pub photons: PhotonFlags,
+    /// `radiosity { importance }`.
+    pub radiosity_importance: Option<f32>,
+    /// Where the statement stands, for messages and object ids.
+    pub span: Span,
+    /// The identifier the object was declared under, for object layers.
+    pub name: Option<Arc<str>>,
+}
+
+/// A texture and where it was put.
+#[derive(Clone, Debug)]
+pub struct PlacedTexture {
+    /// The texture itself, shared.
+    pub texture: Arc<Texture>,
+    /// Takes texture space to the space that contains the textured object.
+    pub transform: Transform,
+}
+
+impl PlacedTexture {
+    /// In place, unmoved.
+    pub fn new(texture: Arc<Texture>) -> Self {
+        Self { texture, transform: Transform::IDENTITY }
+    }
+}
+
+/// On/off modifiers of an object.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flags {
+    /// `inverse`, toggled by each occurrence.
+    pub inverse: bool,
+    /// `hollow`; `None` where the object does not say.
+    pub hollow: Option<bool>,
+    /// Casts no shadow.
+    pub no_shadow: bool,
+    /// Not seen by camera rays.
+    pub no_image: bool,
+    /// Not seen by reflected rays.
+    pub no_reflection: bool,
+    /// Not seen by radiosity rays.
+    pub no_radiosity: bool,
+    /// Both sides are lit; `None` where the object does not say.
+    pub double_illuminate: Option<bool>,
+    /// Cut faces take the texture of what was cut.
+    pub cutaway_textures: bool,
+    /// Textures are looked up at (u, v, 0).
+    pub uv_mapping: bool,
+    /// `hierarchy off`.
+    pub no_hierarchy: bool,
+    /// `split_union off`.
+    pub keep_union: bool,
+    /// `bounded_by { clipped_by }` or `clipped_by { bounded_by }`: one list serves as both.
+    pub bounds_are_clips: bool,
+}
+
+/// `photons { … }` of an object or a light; `None` is "not said".
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PhotonFlags {
+    /// Spacing multiplier of a target.
+    pub target: Option<f64>,
+    /// Refracting photons.
+    pub refraction: Option<bool>,
+    /// Reflecting photons.
+    pub reflection: Option<bool>,
+    /// Photons are stored.
+    pub collect: Option<bool>,
+    /// Photons pass through.
+    pub pass_through: bool,
+    /// Lights: area light samples shoot.
+    pub area_light: bool,
+}
+
+impl Object {
+    /// A bare shape in its own place.
+    pub fn new(shape: Shape, span: Span) -> Self {
+        Self {
+            shape,
+            transform: Transform::IDENTITY,
+            texture: None,
+            interior_texture: None,
+            interior: None,
+            clipped_by: Vec::new(),
+            bounded_by: Vec::new(),
+            flags: Flags::default(),
+            photons: PhotonFlags::default(),
+            radiosity_importance: None,
+            span,
+            name: None,
+        }
+    }
+
+    /// Moves the object with everything it has so far: shape, textures, clips, bounds, interior.
+    ///
+    /// Under `uv_mapping` textures stay, as in POV-Ray.
+    pub fn apply(&mut self, transform: &Transform) {
+        self.transform = self.transform.then(transform);
+        if !self.flags.uv_mapping {
+            for placed in [&mut self.texture, &mut self.interior_texture].into_iter().flatten() {
+                placed.transform = placed.transform.then(transform);
+            }
+        }
+        for other in self.clipped_by.iter_mut().chain(&mut self.bounded_by) {
+            Arc::make_mut(other).apply(transform);
+        }
+        if let Some(interior) = &mut self.interior {
+            Arc::make_mut(interior).apply(transform);
+        }
+        if let Shape::LightSource(light) = &mut self.shape {
+            Arc::make_mut(light).apply(transform);
+        }
+    }
+}
+
+/// What the language may ask about objects while a scene is being read (`trace`, `inside`,
+/// `min_extent`), answered by the compiled scene behind this interface.
+pub trait GeometryQueries {
+    /// Nearest hit of a ray with unit direction: the point and the unit raw normal.
+    fn trace(&self, object: &Arc<Object>, ray: &crate::math::Ray) -> Option<(crate::math::DVec3, crate::math::DVec3)>;
+    /// Whether the point is inside; `None` for patches, which have no inside.
+    fn inside(&self, object: &Arc<Object>, point: crate::math::DVec3) -> Option<bool>;
+    /// The bounding box.
+    fn extent(&self, object: &Arc<Object>) -> Bounds;
+    /// Makes a pigment callable: five components at (x, y, z).
+    fn pigment_function(&self, pigment: &Arc<super::Pigment>) -> Arc<dyn crate::function::Callable>;
+    /// Makes a pattern callable: one value at (x, y, z).
+    fn pattern_function(&self, pattern: &Arc<super::Pattern>) -> Arc<dyn crate::function::Callable>;
+}

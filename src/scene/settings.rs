@@ -1,0 +1,134 @@
+//! `global_settings` and the pictures that scenes refer to.
+
+use crate::function::Function;
+use crate::math::Rgb;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// `global_settings` with POV-Ray's defaults.
+#[derive(Clone, Debug)]
+#[allow(missing_docs)]
+pub struct Settings {
+    /// Hundredths: 370 for 3.7; 362 for a scene that never says.
+    pub version: u32,
+    pub gamma: Gamma,
+    pub ambient_light: Rgb,
+    pub irid_wavelength: Rgb,
+    pub max_trace_level: u32,
+    pub adc_bailout: f64,
+    pub number_of_waves: u32,
+    /// 1 to 3; the default depends on the version.
+    pub noise_generator: Option<u8>,
+    pub mm_per_unit: f64,
+    /// `subsurface { samples … radiosity … }`.
+    pub subsurface: Option<([u32; 2], bool)>,
+    /// Whether a `radiosity` block switches it on.
+    pub radiosity: bool,
+    /// Whether a `photons` block switches them on.
+    pub photons: bool,
+}
+
+/// How colours of the scene relate to linear light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gamma {
+    /// Version below 3.7 without `assumed_gamma`: values are display values (sRGB).
+    None,
+    /// `assumed_gamma` given while the version was below 3.7.
+    Legacy(Working),
+    /// `assumed_gamma` given or implied (1.0) at version 3.7.
+    Linear(Working),
+}
+
+/// A transfer curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Working {
+    /// Power law: linear = value ^ gamma.
+    Power(f64),
+    /// The sRGB curve.
+    Srgb,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            version: 362,
+            gamma: Gamma::None,
+            ambient_light: Rgb::ONE,
+            irid_wavelength: Rgb::new(0.70, 0.52, 0.48),
+            max_trace_level: 5,
+            adc_bailout: 1.0 / 255.0,
+            number_of_waves: 10,
+            noise_generator: None,
+            mm_per_unit: 10.0,
+            subsurface: None,
+            radiosity: false,
+            photons: false,
+        }
+    }
+}
+
+impl Settings {
+    /// The noise generator where a pattern names none.
+    pub fn noise_generator(&self) -> u8 {
+        self.noise_generator.unwrap_or(if self.version < 350 { 1 } else { 2 })
+    }
+}
+
+/// A picture named by a scene: a file that was found, or a function to sample.
+#[derive(Clone, Debug)]
+pub struct Image {
+    /// Where pixels come from.
+    pub source: ImageSource,
+    /// `gamma` after the file name.
+    pub gamma: Option<Working>,
+    /// `premultiplied` after the file name.
+    pub premultiplied: Option<bool>,
+}
+
+/// Where pixels come from.
+#[derive(Clone, Debug)]
+pub enum ImageSource {
+    /// A file on disk, already looked up and readable, with its type.
+    File {
+        /// Where it was found.
+        path: PathBuf,
+        /// How to read it.
+        format: ImageFormat,
+    },
+    /// `function W, H { … }`.
+    Function {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+        /// Grey for a scalar function, colour for a pigment.
+        function: Arc<Function>,
+    },
+}
+
+/// File types of the language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum ImageFormat {
+    Png,
+    Gif,
+    Tga,
+    Bmp,
+    Pnm,
+    Jpeg,
+    Tiff,
+    Iff,
+    Exr,
+    Hdr,
+    Pot,
+}
+
+/// Projections of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum MapType {
+    Planar,
+    Spherical,
+    Cylindrical,
+    Torus,
+}

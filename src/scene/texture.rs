@@ -1,0 +1,293 @@
+//! Textures: pigments, normals and finishes, alone, layered or blended by a pattern.
+
+use super::{Image, MapType, Pattern};
+use crate::math::{Color, Rgb, Transform};
+use std::sync::Arc;
+
+/// Layers, or a pattern over other textures.
+#[derive(Clone, Debug)]
+pub enum Texture {
+    /// Plain layers, lowest first.
+    Layers(Vec<TextureLayer>),
+    /// `texture { PATTERN texture_map … }`.
+    Patterned(PatternedTexture),
+}
+
+/// A pigment, a normal and a finish with the transformations written in the texture.
+#[derive(Clone, Debug, Default)]
+pub struct TextureLayer {
+    /// Colour.
+    pub pigment: Arc<Pigment>,
+    /// Bumps.
+    pub normal: Option<Arc<Normal>>,
+    /// Response to light.
+    pub finish: Arc<Finish>,
+}
+
+/// A texture chosen or mixed by a pattern.
+#[derive(Clone, Debug)]
+pub struct PatternedTexture {
+    /// Decides where.
+    pub pattern: Pattern,
+    /// What to choose from.
+    pub map: Blend<Arc<Texture>>,
+    /// `no_bump_scale` on the texture itself.
+    pub no_bump_scale: bool,
+    /// Inner texture looked up at (u, v, 0).
+    pub uv_mapping: bool,
+}
+
+/// How a pattern's value picks among items.
+#[derive(Clone, Debug)]
+pub enum Blend<T> {
+    /// `*_map`: linear between entries sorted as written.
+    Map(Vec<MapEntry<T>>),
+    /// Block patterns: one item for each index.
+    List(Vec<T>),
+    /// `average`: weights and items.
+    Average(Vec<MapEntry<T>>),
+}
+
+/// One bracketed entry of a map.
+#[derive(Clone, Copy, Debug)]
+pub struct MapEntry<T> {
+    /// Position in the pattern's range, or weight in an average.
+    pub value: f32,
+    /// What stands there.
+    pub item: T,
+}
+
+/// A colour for each point of space.
+#[derive(Clone, Debug)]
+pub struct Pigment {
+    /// What colour, where.
+    pub kind: PigmentKind,
+    /// The colour at quality 5 and below.
+    pub quick_color: Option<Color>,
+    /// Everything inside is looked up at (u, v, 0).
+    pub uv_mapping: bool,
+}
+
+/// The sorts of pigment.
+#[derive(Clone, Debug)]
+pub enum PigmentKind {
+    /// The same everywhere.
+    Solid(Color),
+    /// A pattern through a colour map (explicit or the pattern's default).
+    Colors(Pattern, Blend<Color>),
+    /// A pattern through other pigments.
+    Pigments(Pattern, Blend<Arc<Pigment>>),
+    /// `image_map`; the pattern carries only its warps.
+    Image(Pattern, Arc<ImageMap>),
+}
+
+impl Default for Pigment {
+    fn default() -> Self {
+        Self { kind: PigmentKind::Solid(Color::BLACK), quick_color: None, uv_mapping: false }
+    }
+}
+
+/// `image_map` with its options.
+#[derive(Clone, Debug)]
+pub struct ImageMap {
+    /// The picture.
+    pub image: Image,
+    /// Projection and interpolation.
+    pub mapping: ImageMapping,
+    /// `filter`/`transmit` for palette entries.
+    pub palette_filter: Vec<(u32, f32)>,
+    /// `transmit` for palette entries.
+    pub palette_transmit: Vec<(u32, f32)>,
+    /// `filter all`.
+    pub filter_all: Option<f32>,
+    /// `transmit all`.
+    pub transmit_all: Option<f32>,
+}
+
+/// How a picture lies in space.
+#[derive(Clone, Copy, Debug)]
+pub struct ImageMapping {
+    /// Projection.
+    pub map_type: MapType,
+    /// Shown once, not repeated.
+    pub once: bool,
+    /// 0 nearest, 2 bilinear, 3 bicubic, 4 normalised distance.
+    pub interpolate: u8,
+    /// Copies per unit.
+    pub repeat: [f64; 2],
+    /// Shift in units of the picture.
+    pub offset: [f64; 2],
+    /// `use_index` or `use_color`, if said.
+    pub use_index: Option<bool>,
+    /// `use_alpha`.
+    pub use_alpha: bool,
+}
+
+impl Default for ImageMapping {
+    fn default() -> Self {
+        Self {
+            map_type: MapType::Planar,
+            once: false,
+            interpolate: 0,
+            repeat: [1.0; 2],
+            offset: [0.0; 2],
+            use_index: None,
+            use_alpha: false,
+        }
+    }
+}
+
+/// A perturbation of the surface normal.
+#[derive(Clone, Debug)]
+pub struct Normal {
+    /// How the perturbation arises; the pattern carries its own warps.
+    pub kind: NormalKind,
+    /// Amount, after the pattern or from `bump_size`.
+    pub amount: f32,
+    /// Sampling distance of pattern slopes.
+    pub accuracy: f32,
+    /// Bumps keep their depth when the pattern is scaled.
+    pub no_bump_scale: bool,
+    /// Inner normal at (u, v, 0).
+    pub uv_mapping: bool,
+}
+
+/// The sorts of normal.
+#[derive(Clone, Debug)]
+pub enum NormalKind {
+    /// By the slope of the pattern, or its native vector form, through an optional slope map.
+    Pattern(Pattern, Option<Vec<MapEntry<[f32; 2]>>>),
+    /// `normal_map`, `average`, or a block pattern of normals.
+    Normals(Pattern, Blend<Arc<Normal>>),
+    /// `facets { coords size metric }`.
+    Facets {
+        /// Carries only the warps.
+        pattern: Pattern,
+        /// Strength in coordinate mode; 0 for normal mode.
+        coords: f64,
+        /// Facet size.
+        size: f64,
+        /// Metric of the cells.
+        metric: f64,
+    },
+    /// `bump_map`.
+    BumpMap(Pattern, Arc<(Image, ImageMapping)>),
+}
+
+/// How a surface answers to light; see the manual's section 3.4.5.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct Finish {
+    pub ambient: Rgb,
+    pub emission: Rgb,
+    pub diffuse: f32,
+    pub diffuse_back: f32,
+    /// Diffuse before `albedo` scaling, for radiosity and subsurface.
+    pub raw_diffuse: f32,
+    pub brilliance: f32,
+    pub crand: f32,
+    pub phong: f32,
+    pub phong_size: f32,
+    pub specular: f32,
+    /// 1 / roughness.
+    pub specular_exponent: f32,
+    pub metallic: f32,
+    pub irid_amount: f32,
+    pub irid_thickness: f32,
+    pub irid_turbulence: f32,
+    pub reflection_min: Rgb,
+    pub reflection_max: Rgb,
+    pub reflection_fresnel: bool,
+    pub reflection_falloff: f32,
+    pub reflection_exponent: f32,
+    pub reflection_metallic: f32,
+    pub conserve_energy: bool,
+    pub subsurface_translucency: Option<Rgb>,
+    /// Legacy `finish { ior }`.
+    pub ior: Option<f32>,
+    /// Legacy `finish { caustics }`.
+    pub caustics: Option<f32>,
+    /// Legacy `finish { refraction }`.
+    pub refraction: Option<f32>,
+}
+
+impl Default for Finish {
+    fn default() -> Self {
+        Self {
+            ambient: Rgb::splat(0.1),
+            emission: Rgb::ZERO,
+            diffuse: 0.6,
+            diffuse_back: 0.0,
+            raw_diffuse: 0.6,
+            brilliance: 1.0,
+            crand: 0.0,
+            phong: 0.0,
+            phong_size: 40.0,
+            specular: 0.0,
+            specular_exponent: 20.0,
+            metallic: 0.0,
+            irid_amount: 0.0,
+            irid_thickness: 0.0,
+            irid_turbulence: 0.0,
+            reflection_min: Rgb::ZERO,
+            reflection_max: Rgb::ZERO,
+            reflection_fresnel: false,
+            reflection_falloff: 1.0,
+            reflection_exponent: 1.0,
+            reflection_metallic: 0.0,
+            conserve_energy: false,
+            subsurface_translucency: None,
+            ior: None,
+            caustics: None,
+            refraction: None,
+        }
+    }
+}
+
+impl Default for Texture {
+    fn default() -> Self {
+        Self::Layers(vec![TextureLayer::default()])
+    }
+}
+
+impl Pigment {
+    /// The colour, if it is the same everywhere.
+    pub fn solid(color: Color) -> Self {
+        Self { kind: PigmentKind::Solid(color), ..Self::default() }
+    }
+
+    /// Applies a transformation written after everything so far.
+    pub fn apply(&mut self, transform: &Transform) {
+        match &mut self.kind {
+            PigmentKind::Solid(_) => {}
+            PigmentKind::Colors(p, _) | PigmentKind::Pigments(p, _) | PigmentKind::Image(p, _) => p.apply(transform),
+        }
+    }
+}
+
+impl Normal {
+    /// Applies a transformation written after everything so far.
+    pub fn apply(&mut self, transform: &Transform) {
+        match &mut self.kind {
+            NormalKind::Pattern(p, _) | NormalKind::Normals(p, _) | NormalKind::BumpMap(p, _) => p.apply(transform),
+            NormalKind::Facets { pattern, .. } => pattern.apply(transform),
+        }
+    }
+}
+
+impl Texture {
+    /// Applies a transformation written after everything so far.
+    pub fn apply(&mut self, transform: &Transform) {
+        match self {
+            Self::Patterned(p) => p.pattern.apply(transform),
+            Self::Layers(layers) => {
+                for layer in layers {
+                    Arc::make_mut(&mut layer.pigment).apply(transform);
+                    if let Some(normal) = &mut layer.normal {
+                        Arc::make_mut(normal).apply(transform);
+                    }
+                }
+            }
+        }
+    }
+}
