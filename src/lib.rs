@@ -2,5 +2,6 @@
 
 pub mod diag;
 pub mod function;
+pub mod imaging;
 pub mod math;
 pub mod scene;
