@@ -10,7 +10,7 @@ pub enum Texture {
     /// Plain layers, lowest first.
     Layers(Vec<TextureLayer>),
     /// `texture { PATTERN texture_map … }`.
-    Patterned(PatternedTexture),
+    Patterned(Box<PatternedTexture>),
 }
 
 /// A pigment, a normal and a finish with the transformations written in the texture.
