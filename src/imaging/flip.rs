@@ -204,7 +204,8 @@ mod tests {
         let mut edge = Picture::filled(64, 8, [0.2, 0.2, 0.2, 1.0]);
         (0..8).for_each(|y| edge.pixels[y * 64 + 32..(y + 1) * 64].fill([0.3, 0.3, 0.3, 1.0]));
         let plain = Picture::filled(64, 8, [0.25, 0.25, 0.25, 1.0]);
-        let errors = flip(&edge, &plain);
-        assert!(errors[4 * 64 + 32] > 1.1 * errors[4 * 64 + 2], "{} {}", errors[4 * 64 + 32], errors[4 * 64 + 2]);
+        let (errors, at) = (flip(&edge, &plain), 4 * 64 + 32);
+        let colors = color_difference(&opponent_planes(&edge), &opponent_planes(&plain));
+        assert!(f64::from(errors[at]) > 1.2 * colors[at], "{} {}", errors[at], colors[at]);
     }
 }

@@ -7,7 +7,7 @@
 //! use whitted::imaging::{Picture, compare};
 //! let (black, white) = (Picture::filled(4, 3, [0.0, 0.0, 0.0, 1.0]), Picture::filled(4, 3, [1.0; 4]));
 //! assert_eq!(compare(&black, &black).unwrap().rmse, 0.0);
-//! assert_eq!(compare(&black, &white).unwrap().mean_display, 255.0);
+//! assert!(compare(&black, &white).unwrap().mean_display > 254.9);
 //! ```
 
 mod atomic;
