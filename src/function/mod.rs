@@ -1,5 +1,9 @@
 //! `function { … }`: what can be called with numbers while reading a scene and while rendering.
 
+mod spline;
+
+pub use spline::{Spline, SplineKind};
+
 use crate::math::Transform;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -31,4 +35,26 @@ pub enum FunctionBody {
     External(Arc<dyn Callable>),
     /// `transform { … }`: carries a point.
     Transform(Transform),
+}
+
+impl Function {
+    /// How many numbers a call gives.
+    pub fn width(&self) -> usize {
+        match &self.body {
+            FunctionBody::External(callable) => callable.width(),
+            FunctionBody::Transform(_) => 3,
+        }
+    }
+
+    /// The value at `args`, of which there must be [`n_parameters`](Self::n_parameters).
+    pub fn call(&self, args: &[f64]) -> [f64; 5] {
+        match &self.body {
+            FunctionBody::External(callable) => callable.call(args),
+            FunctionBody::Transform(transform) => {
+                let component = |i: usize| args.get(i).copied().unwrap_or(0.0);
+                let p = transform.point(crate::math::DVec3::new(component(0), component(1), component(2)));
+                [p.x, p.y, p.z, 0.0, 0.0]
+            }
+        }
+    }
 }
