@@ -1,10 +1,14 @@
 //! `function { … }`: what can be called with numbers while reading a scene and while rendering.
 
+mod internal;
+mod program;
 mod spline;
 
+pub use internal::Internal;
+pub use program::{Binary, Callee, Op, Program, ProgramBuilder, Slot, Unary, int32};
 pub use spline::{Spline, SplineKind};
 
-use crate::math::Transform;
+use crate::math::{DVec3, Transform};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -31,6 +35,10 @@ pub struct Function {
 /// The sorts of function.
 #[derive(Clone, Debug)]
 pub enum FunctionBody {
+    /// An expression.
+    Program(Program),
+    /// `internal(N)`.
+    Internal(Internal),
     /// A pigment, a pattern or a spline.
     External(Arc<dyn Callable>),
     /// `transform { … }`: carries a point.
@@ -38,23 +46,31 @@ pub enum FunctionBody {
 }
 
 impl Function {
-    /// How many numbers a call gives.
+    /// How many numbers a call returns.
     pub fn width(&self) -> usize {
         match &self.body {
-            FunctionBody::External(callable) => callable.width(),
+            FunctionBody::Program(_) | FunctionBody::Internal(_) => 1,
+            FunctionBody::External(e) => e.width(),
             FunctionBody::Transform(_) => 3,
         }
     }
 
-    /// The value at `args`, of which there must be [`n_parameters`](Self::n_parameters).
+    /// The value; components past the width are 0, missing arguments count as 0.
     pub fn call(&self, args: &[f64]) -> [f64; 5] {
         match &self.body {
-            FunctionBody::External(callable) => callable.call(args),
-            FunctionBody::Transform(transform) => {
-                let component = |i: usize| args.get(i).copied().unwrap_or(0.0);
-                let p = transform.point(crate::math::DVec3::new(component(0), component(1), component(2)));
+            FunctionBody::Program(p) => [p.eval(args), 0.0, 0.0, 0.0, 0.0],
+            FunctionBody::Internal(i) => [i.eval(args), 0.0, 0.0, 0.0, 0.0],
+            FunctionBody::External(e) => e.call(args),
+            FunctionBody::Transform(t) => {
+                let at = |i: usize| args.get(i).copied().unwrap_or(0.0);
+                let p = t.point(DVec3::new(at(0), at(1), at(2)));
                 [p.x, p.y, p.z, 0.0, 0.0]
             }
         }
+    }
+
+    /// The first returned number at a point: what patterns and isosurfaces ask for.
+    pub fn at(&self, p: DVec3) -> f64 {
+        self.call(&[p.x, p.y, p.z])[0]
     }
 }
