@@ -3,6 +3,9 @@
 pub mod compile;
 pub mod compiled;
 pub mod diag;
+pub mod eval;
 pub mod function;
+pub mod imaging;
 pub mod math;
 pub mod scene;
+pub mod syntax;

@@ -1,6 +1,14 @@
 //! `function { … }`: what can be called with numbers while reading a scene and while rendering.
 
-use crate::math::Transform;
+mod internal;
+mod program;
+mod spline;
+
+pub use internal::Internal;
+pub use program::{Binary, Callee, Op, Program, ProgramBuilder, Slot, Unary, int32};
+pub use spline::{Spline, SplineKind};
+
+use crate::math::{DVec3, Transform};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -27,8 +35,42 @@ pub struct Function {
 /// The sorts of function.
 #[derive(Clone, Debug)]
 pub enum FunctionBody {
+    /// An expression.
+    Program(Program),
+    /// `internal(N)`.
+    Internal(Internal),
     /// A pigment, a pattern or a spline.
     External(Arc<dyn Callable>),
     /// `transform { … }`: carries a point.
     Transform(Transform),
+}
+
+impl Function {
+    /// How many numbers a call returns.
+    pub fn width(&self) -> usize {
+        match &self.body {
+            FunctionBody::Program(_) | FunctionBody::Internal(_) => 1,
+            FunctionBody::External(e) => e.width(),
+            FunctionBody::Transform(_) => 3,
+        }
+    }
+
+    /// The value; components past the width are 0, missing arguments count as 0.
+    pub fn call(&self, args: &[f64]) -> [f64; 5] {
+        match &self.body {
+            FunctionBody::Program(p) => [p.eval(args), 0.0, 0.0, 0.0, 0.0],
+            FunctionBody::Internal(i) => [i.eval(args), 0.0, 0.0, 0.0, 0.0],
+            FunctionBody::External(e) => e.call(args),
+            FunctionBody::Transform(t) => {
+                let at = |i: usize| args.get(i).copied().unwrap_or(0.0);
+                let p = t.point(DVec3::new(at(0), at(1), at(2)));
+                [p.x, p.y, p.z, 0.0, 0.0]
+            }
+        }
+    }
+
+    /// The first returned number at a point: what patterns and isosurfaces ask for.
+    pub fn at(&self, p: DVec3) -> f64 {
+        self.call(&[p.x, p.y, p.z])[0]
+    }
 }

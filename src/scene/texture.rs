@@ -40,9 +40,11 @@ pub struct PatternedTexture {
 /// How a pattern's value picks among items.
 #[derive(Clone, Debug)]
 pub enum Blend<T> {
+    /// The pattern's own colours (section 11 of the pattern facts).
+    Default,
     /// `*_map`: linear between entries sorted as written.
     Map(Vec<MapEntry<T>>),
-    /// Block patterns: one item for each index.
+    /// Block patterns: one item for each index; where fewer are given, the pattern's own colours follow.
     List(Vec<T>),
     /// `average`: weights and items.
     Average(Vec<MapEntry<T>>),
