@@ -1,5 +1,7 @@
 //! A Whitted-style recursive ray tracer for POV-Ray 3.7 scenes.
 
+pub mod compile;
+pub mod compiled;
 pub mod diag;
 pub mod eval;
 pub mod function;
