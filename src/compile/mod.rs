@@ -1,3 +1,4 @@
 //! From the evaluated scene to the compiled one, as named passes.
 
 pub mod geometry;
+pub mod texture;

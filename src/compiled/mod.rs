@@ -5,3 +5,4 @@
 //! [`InteriorId`](geometry::InteriorId)) refer to lists that `compile` hands on.
 
 pub mod geometry;
+pub mod texture;

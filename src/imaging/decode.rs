@@ -49,7 +49,9 @@ pub fn decode(path: &Path, kind: &str) -> Result<Pixels, ImageError> {
         "jpeg" => ImageFormat::Jpeg,
         "tiff" => ImageFormat::Tiff,
         "hdr" => ImageFormat::Hdr,
-        other => return Err(ImageError::Unsupported(path.to_owned(), format!("no reader for pictures of type {other}"))),
+        other => {
+            return Err(ImageError::Unsupported(path.to_owned(), format!("no reader for pictures of type {other}")));
+        }
     };
     let bytes = std::fs::read(path).map_err(|e| ImageError::Io(path.to_owned(), e))?;
     let invalid = |e: image::ImageError| ImageError::Invalid(path.to_owned(), e.to_string());
@@ -150,7 +152,8 @@ mod tests {
     #[test]
     fn every_format_gives_its_numbers() {
         let rgb = || DynamicImage::from(image::RgbImage::from_pixel(2, 2, image::Rgb([255, 51, 0])));
-        for (name, kind) in [("a.png", "png"), ("a.bmp", "bmp"), ("a.tga", "tga"), ("a.ppm", "pnm"), ("a.tiff", "tiff")] {
+        for (name, kind) in [("a.png", "png"), ("a.bmp", "bmp"), ("a.tga", "tga"), ("a.ppm", "pnm"), ("a.tiff", "tiff")]
+        {
             assert!(!check(rgb(), name, kind, [1.0, 0.2, 0.0, 1.0]).grey8);
         }
         let grey = DynamicImage::from(image::GrayImage::from_pixel(2, 2, image::Luma([51])));

@@ -2,6 +2,7 @@
 //!
 //! Messages carry no place here; the caller knows which object asked.
 
+mod default_map;
 mod finish;
 mod normal;
 mod pattern;
@@ -70,13 +71,14 @@ impl<'s> TextureCompiler<'s> {
         let compiled = match &pigment.kind {
             PigmentKind::Solid(color) => Pigment::Solid(*color),
             PigmentKind::Colors(pattern, colors) => {
-                let colors: Blend<Color> = self.blend(colors, |_, c| Ok(*c))?;
-                let mut each = colors.iter();
-                let first = each.next().copied().unwrap_or(Color::BLACK);
-                if each.all(|c| *c == first) {
-                    return Ok(Pigment::Solid(first));
+                let colors = match colors {
+                    scene::Blend::Default => default_map::default_map(&pattern.kind),
+                    named => self.blend(named, |_, c| Ok(*c))?,
+                };
+                match single_color(&colors) {
+                    Some(color) => Pigment::Solid(color),
+                    None => Pigment::Colors(self.pattern(pattern)?, colors),
                 }
-                Pigment::Colors(self.pattern(pattern)?, colors)
             }
             PigmentKind::Pigments(pattern, pigments) => {
                 let pigments = self.blend(pigments, |compiler, p| compiler.pigment(p))?;
@@ -100,12 +102,17 @@ impl<'s> TextureCompiler<'s> {
             list.iter().map(|e| Ok((e.value, item(self, &e.item)?))).collect()
         };
         let blend = match blend {
+            scene::Blend::Default => return Err("a map is missing".into()),
             scene::Blend::Map(list) => Blend::map(entries(list)?.into_iter().map(|(v, t)| (f64::from(v), t))),
             scene::Blend::Average(list) => Blend::average(entries(list)?),
-            scene::Blend::List(list) => {
-                Blend::list(list.iter().map(|i| item(self, i)).collect::<Result<Vec<_>, _>>()?)
-            }
+            scene::Blend::List(list) => Blend::list(list.iter().map(|i| item(self, i)).collect::<Result<Vec<_>, _>>()?),
         };
         if blend.iter().next().is_none() { Err("a map without entries".into()) } else { Ok(blend) }
     }
+}
+
+/// The colour of a map in which all entries agree.
+fn single_color(colors: &Blend<Color>) -> Option<Color> {
+    let first = colors.iter().next().copied()?;
+    colors.iter().all(|c| *c == first).then_some(first)
 }

@@ -46,9 +46,7 @@ impl TextureCompiler<'_> {
             S::Hexagon => PatternKind::Hexagon,
             S::Image(picture) => PatternKind::Image(self.value_picture(&picture.0)?, mapping_of(&picture.1)),
             S::Leopard => PatternKind::Leopard,
-            S::Material(picture) => {
-                PatternKind::Material(self.value_picture(&picture.0)?, mapping_of(&picture.1), 0)
-            }
+            S::Material(picture) => PatternKind::Material(self.value_picture(&picture.0)?, mapping_of(&picture.1), 0),
             S::Onion => PatternKind::Onion,
             S::Pigment(pigment) => PatternKind::Pigment(Arc::new(self.pigment(pigment)?)),
             S::Planar => PatternKind::Planar,

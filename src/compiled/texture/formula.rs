@@ -110,8 +110,8 @@ fn brick(p: DVec3, size: DVec3, mortar: f64) -> f64 {
     let fraction = |v: f64| v - v.floor();
     let in_mortar = |x: f64, z: f64| fraction(x) <= limit.x || fraction(z) <= limit.z;
     let even_course = fraction(q.y * 0.5) <= 0.5;
-    let mortar_here = fraction(q.y) <= limit.y
-        || if even_course { in_mortar(q.x, q.z + 0.5) } else { in_mortar(q.x + 0.5, q.z) };
+    let mortar_here =
+        fraction(q.y) <= limit.y || if even_course { in_mortar(q.x, q.z + 0.5) } else { in_mortar(q.x + 0.5, q.z) };
     if mortar_here { 0.0 } else { 1.0 }
 }
 
@@ -129,7 +129,8 @@ mod tests {
     #[test]
     fn block_borders_lie_where_povray_puts_them() {
         let edge = 1.0 - 1e-11;
-        let checker = [([0.5; 3], 0.0), ([-0.5, 0.5, 0.5], 1.0), ([edge, 0.5, 0.5], 1.0), ([1.0 - 1e-9, 0.5, 0.5], 0.0)];
+        let checker =
+            [([0.5; 3], 0.0), ([-0.5, 0.5, 0.5], 1.0), ([edge, 0.5, 0.5], 1.0), ([1.0 - 1e-9, 0.5, 0.5], 0.0)];
         check(PatternKind::Checker, &checker);
         let brick = PatternKind::Brick { size: DVec3::new(8.0, 3.0, 4.5), mortar: f64::from((0.5 - 2e-10) as f32) };
         let bricks = [

@@ -81,9 +81,7 @@ impl Mapping {
                 let u = if p.x == 0.0 && p.z == 0.0 { 0.0 } else { turn(p.x, p.z) };
                 (length > 0.0).then(|| (u, 0.5 + (p.y / length).asin() / PI))
             }
-            MapType::Cylindrical => {
-                ((p.x != 0.0 || p.z != 0.0) && !outside(p.y)).then(|| (turn(p.x, p.z), p.y))
-            }
+            MapType::Cylindrical => ((p.x != 0.0 || p.z != 0.0) && !outside(p.y)).then(|| (turn(p.x, p.z), p.y)),
             MapType::Torus => {
                 let radius = p.x.hypot(p.z);
                 let (across, tube) = (radius - 1.0, (radius - 1.0).hypot(p.y));
@@ -213,11 +211,8 @@ impl Raster {
         let bump = (right - left).cross(corner - left).normalize_or(DVec3::Y);
         // POV-Ray's own limit for a normal along y.
         let across = n.cross(DVec3::Y);
-        let (x_axis, y_axis) = if across.length() < 1e-10 {
-            (DVec3::X, DVec3::Y * n.y.signum())
-        } else {
-            (across.normalize(), n)
-        };
+        let (x_axis, y_axis) =
+            if across.length() < 1e-10 { (DVec3::X, DVec3::Y * n.y.signum()) } else { (across.normalize(), n) };
         let z_axis = x_axis.cross(y_axis).normalize_or(DVec3::Z);
         bump.x * x_axis + bump.y * y_axis - bump.z * z_axis
     }

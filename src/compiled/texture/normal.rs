@@ -141,9 +141,7 @@ impl Normal {
                     Pick::All(all) => all.iter().map(|(w, normal)| f64::from(*w) * of(normal)).sum(),
                 }
             }
-            NormalKind::BumpMap(pattern, image, mapping) => {
-                image.bump(mapping, pattern.warp(point), n, self.amount)
-            }
+            NormalKind::BumpMap(pattern, image, mapping) => image.bump(mapping, pattern.warp(point), n, self.amount),
             NormalKind::Uv(inner) => inner.apply(n, context.uv_point(), inner.pattern_from_outer, context),
         }
     }
@@ -202,8 +200,7 @@ mod tests {
             [([0.3, 0.7, -1.2], [-0.01776, 0.99736, 0.07039]), ([0.125, -0.25, 0.5], [-0.01719, 0.99759, -0.06721])];
         check(PatternKind::Onion, 0.6, None, &onion);
         let map = Blend::map([(0.0, [0.0, 1.0]), (0.4, [0.7, -0.5]), (0.8, [0.2, 0.0])]);
-        let gradient =
-            [([0.3, 0.7, -1.2], [-0.05783, 0.99833, 0.0]), ([0.125, -0.25, 0.5], [-0.18110, 0.98346, 0.0])];
+        let gradient = [([0.3, 0.7, -1.2], [-0.05783, 0.99833, 0.0]), ([0.125, -0.25, 0.5], [-0.18110, 0.98346, 0.0])];
         check(PatternKind::Gradient(DVec3::X), 0.5, Some(map), &gradient);
     }
 }

@@ -1,6 +1,6 @@
 //! A pattern: how a point is moved, its formula, and the wave over the value.
 
-use super::{Blend, Pigment, Raster, Mapping, Warp, formula};
+use super::{Blend, Mapping, Pigment, Raster, Warp, formula};
 use crate::function::Function;
 use crate::math::{DVec2, DVec3};
 use std::sync::Arc;
@@ -150,8 +150,7 @@ mod tests {
 
     fn check(pattern: &Pattern, expected: [f64; 3]) {
         // P1, P3 and P5 of section 15 of the pattern facts.
-        let points =
-            [DVec3::new(0.3, 0.7, -1.2), DVec3::new(0.125, -0.25, 0.5), DVec3::new(-250.75, 1003.3, -87.6)];
+        let points = [DVec3::new(0.3, 0.7, -1.2), DVec3::new(0.125, -0.25, 0.5), DVec3::new(-250.75, 1003.3, -87.6)];
         for (point, expected) in points.into_iter().zip(expected) {
             let found = pattern.value(point, &Context::default());
             assert!((found - expected).abs() < 1e-7, "{pattern:?} at {point}: {found} instead of {expected}");

@@ -31,9 +31,9 @@ impl Pigment {
                 let (pick, warped) = pattern.pick(pigments, point, context);
                 Some(match pick {
                     Pick::One(pigment) => pigment.color_or_clear(warped, context),
-                    Pick::Two(lower, upper, share) => lower
-                        .color_or_clear(warped, context)
-                        .lerp(upper.color_or_clear(warped, context), share),
+                    Pick::Two(lower, upper, share) => {
+                        lower.color_or_clear(warped, context).lerp(upper.color_or_clear(warped, context), share)
+                    }
                     Pick::All(all) => weighted_sum(all.iter().map(|(w, p)| (*w, p.color_or_clear(warped, context)))),
                 })
             }
@@ -95,10 +95,7 @@ mod tests {
         let map = Blend::map([(f64::from(0.2f32), red), (f64::from(0.6f32), clear_green)]);
         check(&Pigment::Colors(gradient(), map), 0.3, [0.75, 0.25, 0.0, 0.125, 0.0625]);
         let grey = Blend::map([(0.0, Color::BLACK), (1.0, Color::rgb(1.0, 1.0, 1.0))]);
-        let items = [
-            (1.0, Pigment::Solid(Color { transmit: 0.5, ..red })),
-            (3.0, Pigment::Colors(gradient(), grey)),
-        ];
+        let items = [(1.0, Pigment::Solid(Color { transmit: 0.5, ..red })), (3.0, Pigment::Colors(gradient(), grey))];
         let average = Pigment::Pigments(Pattern::of(PatternKind::None), Blend::average(items));
         check(&average, 0.4, [0.55, 0.3, 0.3, 0.0, 0.125]);
     }
