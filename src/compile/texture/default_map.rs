@@ -42,6 +42,12 @@ pub(super) fn default_map(kind: &K) -> Blend<Color> {
     }
 }
 
+/// A block pattern's own colours with the first ones replaced.
+pub(super) fn completed(colors: &[Color], kind: &K) -> Blend<Color> {
+    let own: Vec<Color> = default_map(kind).iter().copied().collect();
+    Blend::list(colors.iter().copied().chain(own.into_iter().skip(colors.len())))
+}
+
 fn opaque(rgb: [f32; 3]) -> Color {
     Color { rgb: Rgb::from(rgb), ..Color::BLACK }
 }

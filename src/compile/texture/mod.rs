@@ -73,6 +73,7 @@ impl<'s> TextureCompiler<'s> {
             PigmentKind::Colors(pattern, colors) => {
                 let colors = match colors {
                     scene::Blend::Default => default_map::default_map(&pattern.kind),
+                    scene::Blend::List(list) => default_map::completed(list, &pattern.kind),
                     named => self.blend(named, |_, c| Ok(*c))?,
                 };
                 match single_color(&colors) {
