@@ -83,8 +83,8 @@ impl Antialias {
         let mut pixels = vec![Radiance::default(); stride * (height + 1)];
         let mut refined = vec![false; pixels.len()];
         (0..stride).for_each(|i| refined[i] = true);
-        for i in 1..stride {
-            pixels[i] = tracer.camera_ray((left + i) as f64 - 1.0, top as f64 - 1.0);
+        for (i, helper) in pixels[1..stride].iter_mut().enumerate() {
+            *helper = tracer.camera_ray((left + i) as f64, top as f64 - 1.0);
         }
         for j in 1..=height {
             let y = (top + j) as f64 - 1.0;

@@ -34,7 +34,7 @@ impl Tracer<'_> {
             for _ in 0..batch {
                 let (ray, light) =
                     (self.lens_ray(blur, &lens, x, y, n, base), Radiance { transparency: 1.0, ..Radiance::BLACK });
-                let light = ray.map_or(light, |ray| self.from_camera(ray));
+                let light = ray.map_or(light, |ray| self.follow(ray));
                 if ray.is_some() {
                     sum.add_scaled(light, 1.0);
                 }

@@ -65,13 +65,13 @@ impl<'w> Tracer<'w> {
             return self.blurred(blur, x, y);
         }
         match RawRay::through(camera, x, y, self.options.width, self.options.height) {
-            Some(raw) => self.from_camera(raw.finish(camera)),
+            Some(raw) => self.follow(raw.finish(camera)),
             None => Radiance { transparency: 1.0, ..Radiance::BLACK },
         }
     }
 
     /// Follows a ray that starts at the camera; its direction is a unit vector.
-    pub(super) fn from_camera(&mut self, ray: Ray) -> Radiance {
+    pub(super) fn follow(&mut self, ray: Ray) -> Radiance {
         self.statistics.camera_rays += 1;
         let interiors = match &self.camera_interiors {
             Some(known) => known.clone(),
