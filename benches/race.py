@@ -6,8 +6,8 @@
     python3 benches/race.py --parse scene.pov             only parsing and evaluation are of interest: 1 x 1 pixel
 
 Both use one thread and no antialiasing, and write EXR. CPU time is user and system time of the process, memory its
-largest resident set, both as the kernel counts them. Runs alternate, so that a change of the machine's speed meets
-both; the median of each is compared. Exit code 1 when either program fails.
+largest resident set, both as the kernel counts them (less than the 15 MiB of this script is not seen). Runs alternate,
+so that a change of the machine's speed meets both; the median of each is compared. Exit code 1 when either fails.
 """
 
 import argparse
