@@ -81,8 +81,7 @@ fn reflections() {
 #[test]
 fn energy_is_conserved_where_asked() {
     let sheet = |finish: &str, expected: [f32; 3]| {
-        let floor =
-            format!("plane{{y,0 pigment{{rgbt <1,.5,.25,.3>}} finish{{ambient 0 diffuse 0 {finish}}}}}");
+        let floor = format!("plane{{y,0 pigment{{rgbt <1,.5,.25,.3>}} finish{{ambient 0 diffuse 0 {finish}}}}}");
         check(&format!("{CY} {BG} {floor}"), expected);
     };
     sheet("reflection .5", [0.160006, 0.319997, 0.480003]);

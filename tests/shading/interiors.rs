@@ -17,7 +17,8 @@ fn slab(a: &str, b: &str, ior: &str) -> String {
 
 #[test]
 fn surfaces_bend_rays() {
-    for (ior, expected) in [("1", 0.500008), ("1.2", 0.364660), ("1.5", 0.267262), ("2.5", 0.147448), (".8", 0.944915)] {
+    for (ior, expected) in [("1", 0.500008), ("1.2", 0.364660), ("1.5", 0.267262), ("2.5", 0.147448), (".8", 0.944915)]
+    {
         above(&format!("plane{{y,0 {CLEAR} interior{{ior {ior}}}}}"), [expected; 3]);
     }
 }

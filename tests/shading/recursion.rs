@@ -16,9 +16,8 @@ fn straight_rays_keep_their_level() {
 fn mirrors_end_at_the_limit() {
     let mirror = "pigment{rgb 1} finish{ambient 0 diffuse 0 emission .1 reflection 1}";
     for m in [1, 2, 5, 9] {
-        let scene = format!(
-            "{CZ} global_settings{{max_trace_level {m}}} plane{{-z,-1 {mirror}}} plane{{z,-20 {mirror}}}"
-        );
+        let scene =
+            format!("{CZ} global_settings{{max_trace_level {m}}} plane{{-z,-1 {mirror}}} plane{{z,-20 {mirror}}}");
         check_grey(&scene, m as f32 * 0.1);
     }
 }

@@ -18,25 +18,22 @@ fn transparent_things_filter_light() {
         "pigment{rgbf <1,.5,.25,.6>} finish{reflection .9 conserve_energy diffuse .2}",
         [0.339406, 0.169711, 0.084855],
     );
-    behind(
-        "texture{pigment{rgbf <1,.5,.25,.6>}} texture{pigment{rgbt <.2,.3,.4,.7>}}",
-        [0.237583, 0.118791, 0.059403],
-    );
+    behind("texture{pigment{rgbf <1,.5,.25,.6>}} texture{pigment{rgbt <.2,.3,.4,.7>}}", [0.237583, 0.118791, 0.059403]);
 }
 
 #[test]
 fn blends_of_textures_filter_light() {
     let map = "texture{gradient x translate -.5*x texture_map{[0 pigment{rgbf <1,.5,.25,.6>}][1 pigment{rgbt <.2,.3,.4,.7>}]}}";
     behind(map, [0.367697, 0.282841, 0.240421]);
-    let average =
-        "texture{average texture_map{[1 pigment{rgbf <1,.5,.25,.6>}][3 pigment{rgbt <.2,.3,.4,.7>}]}}";
+    let average = "texture{average texture_map{[1 pigment{rgbf <1,.5,.25,.6>}][3 pigment{rgbt <.2,.3,.4,.7>}]}}";
     behind(average, [0.381842, 0.339406, 0.318196]);
 }
 
 #[test]
 fn both_faces_of_a_box_filter() {
     for interior in ["", "interior{ior 2}"] {
-        let glass = format!("box{{-.5,.5 rotate 45*x translate <0,2.5,-2.5> pigment{{rgbf <1,.5,.25,.6>}} {interior}}}");
+        let glass =
+            format!("box{{-.5,.5 rotate 45*x translate <0,2.5,-2.5> pigment{{rgbf <1,.5,.25,.6>}} {interior}}}");
         check(&format!("{CZ} {WALL} light_source{{<0,5,-5> rgb .8}} {glass}"), [0.203647, 0.050904, 0.012726]);
     }
 }
