@@ -127,8 +127,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let reading = arguments.scene.reading(options.width, options.height);
     let bar = progress_bar(options.width * options.height);
     let advance = |n: usize| bar.inc(n as u64);
-    let result =
-        pipeline::render_file(&arguments.scene.scene, &reading, &options, &arguments.scene.host(), &advance);
+    let result = pipeline::render_file(&arguments.scene.scene, &reading, &options, &arguments.scene.host(), &advance);
     bar.finish_and_clear();
     let outcome = match result {
         Ok(outcome) => outcome,
@@ -173,7 +172,8 @@ fn write(
 
 /// Drawn only on a terminal.
 fn progress_bar(n_pixels: usize) -> ProgressBar {
-    let target = if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+    let target =
+        if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
     let bar = ProgressBar::with_draw_target(Some(n_pixels as u64), target);
     match ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left") {
         Ok(style) => bar.with_style(style),

@@ -10,9 +10,9 @@
 
 mod bounds;
 mod color;
+mod error_bound;
 pub mod noise;
 mod noise_table;
-mod error_bound;
 mod ray;
 mod roots;
 mod transform;
