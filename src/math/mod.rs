@@ -11,6 +11,8 @@
 mod bounds;
 mod color;
 mod error_bound;
+pub mod noise;
+mod noise_table;
 mod ray;
 mod roots;
 mod transform;
