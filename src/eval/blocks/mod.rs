@@ -6,7 +6,7 @@ use crate::syntax::Keyword;
 
 /// What blocks start from (`#default`).
 #[derive(Clone, Debug, Default)]
-pub struct Defaults;
+pub struct Defaults {}
 
 /// A declared camera.
 #[derive(Clone, Debug, Default)]
