@@ -63,6 +63,9 @@ pub(super) fn fold(shape: &Shape, place: Transform, inverse: &mut bool) -> Optio
             if *minor <= 0.0 {
                 return None;
             }
+            if *major == 0.0 {
+                return fold_sphere(DVec3::ZERO, *minor, place);
+            }
             Folded::placed(Compiled::Torus(Torus { major: *major, minor: *minor }), place)
         }
         Shape::Triangle { vertices } => {

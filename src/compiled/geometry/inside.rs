@@ -36,7 +36,7 @@ impl Geometry {
         flow.is_continue()
     }
 
-    fn gather_item(
+    pub(super) fn gather_item(
         &self,
         item: &Item,
         point: DVec3,

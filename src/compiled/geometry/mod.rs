@@ -72,7 +72,8 @@ impl Geometry {
         walk.best
     }
 
-    /// The interiors of frame-level objects that contain the point.
+    /// The interiors of frame-level objects that contain the point, in file order. As in POV-Ray, inverted
+    /// finite objects do not count as containing the space around them.
     pub fn containing(&self, point: DVec3) -> Vec<InteriorKey> {
         let mut found = Vec::new();
         self.gather(&self.root, point, &mut Path::default(), &mut |geometry, item, path| {
@@ -85,12 +86,9 @@ impl Geometry {
 
     /// Whether the point is inside any object.
     pub fn contains(&self, point: DVec3) -> bool {
-        let mut found = false;
-        self.gather(&self.root, point, &mut Path::default(), &mut |_, _, _| {
-            found = true;
-            false
-        });
-        found
+        // Half spaces and inverted objects reach beyond their surface's box.
+        let mut items = self.root.items.iter().chain(&self.root.infinite);
+        items.any(|item| !self.gather_item(item, point, &mut Path::default(), &mut |_, _, _| false))
     }
 
     /// A box around everything; infinite if anything is.
