@@ -1,6 +1,11 @@
 //! A Whitted-style recursive ray tracer for POV-Ray 3.7 scenes.
 
+pub mod compile;
+pub mod compiled;
 pub mod diag;
+pub mod eval;
 pub mod function;
+pub mod imaging;
 pub mod math;
 pub mod scene;
+pub mod syntax;

@@ -2,9 +2,11 @@
 
 mod internal;
 mod program;
+mod spline;
 
 pub use internal::Internal;
 pub use program::{Binary, Callee, Op, Program, ProgramBuilder, Slot, Unary, int32};
+pub use spline::{Spline, SplineKind};
 
 use crate::math::{DVec3, Transform};
 use std::fmt::Debug;

@@ -147,8 +147,8 @@ impl Evaluator<'_> {
         let pick = |v: &Value| if let Value::Camera(c) = v { Some((**c).clone()) } else { None };
         let mut camera = match self.take_declared(pick)? {
             Some(camera) => camera,
-            None if self.version() < VERSION_OF_UNORDERED_CAMERAS => {
-                self.old_camera.clone().unwrap_or_else(|| self.defaults.camera.clone())
+            None if self.version < VERSION_OF_UNORDERED_CAMERAS => {
+                self.defaults.last_camera.clone().unwrap_or_else(|| self.defaults.camera.clone())
             }
             None => self.defaults.camera.clone(),
         };
@@ -194,7 +194,7 @@ impl Evaluator<'_> {
         };
         self.next()?;
         camera.kind = kind;
-        if self.version() < VERSION_OF_UNORDERED_CAMERAS && matches!(camera.kind, CameraKind::Orthographic) {
+        if self.version < VERSION_OF_UNORDERED_CAMERAS && matches!(camera.kind, CameraKind::Orthographic) {
             let target = camera.look_at.unwrap_or(DVec3::Z);
             let scale = (target - camera.location).length() / camera.direction.length();
             camera.right *= scale;
@@ -237,7 +237,7 @@ impl Evaluator<'_> {
     }
 
     fn camera_item(&mut self, camera: &mut CameraStatement) -> SourceResult<bool> {
-        let ordered = self.version() < VERSION_OF_UNORDERED_CAMERAS;
+        let ordered = self.version < VERSION_OF_UNORDERED_CAMERAS;
         if let Some(transform) = self.transformation()? {
             if ordered {
                 camera.location = transform.point(camera.location);

@@ -14,6 +14,10 @@ pub struct Defaults {
     pub layer: TextureLayer,
     /// The camera that cameras start as.
     pub camera: CameraStatement,
+    /// The camera before, which old scenes go on from.
+    pub last_camera: Option<CameraStatement>,
+    /// Whether `assumed_gamma` was met.
+    pub gamma_given: bool,
 }
 
 impl Defaults {
@@ -24,9 +28,8 @@ impl Defaults {
 }
 
 impl Evaluator<'_> {
-    /// `#default { … }`, after the word.
+    /// What stands between the braces of `#default`.
     pub(in crate::eval) fn default_block(&mut self) -> SourceResult<()> {
-        self.open("#default")?;
         loop {
             let span = self.span();
             match self.keyword()? {
@@ -61,9 +64,8 @@ impl Evaluator<'_> {
                     self.next()?;
                     self.radiosity_importance()?;
                 }
-                _ => break,
+                _ => return Ok(()),
             }
         }
-        self.close("#default")
     }
 }

@@ -24,7 +24,7 @@ impl Evaluator<'_> {
             self.comma()?;
             if self.accept(K::WaterLevel)? {
                 let level = self.float()?;
-                field.water_level = if self.version() < 200 { level / 256.0 } else { level };
+                field.water_level = if self.version < 200 { level / 256.0 } else { level };
             } else if self.accept(K::Smooth)? {
                 field.smooth = true;
             } else {
@@ -148,7 +148,7 @@ impl Evaluator<'_> {
                         self.comma()?;
                     }
                 }
-                _ if !typed && !self.at_punct('<')? && self.starts_expression()? => {
+                _ if !typed && !self.at_vector()? && self.starts_expression()? => {
                     typed = true;
                     self.old_patch(&mut patch, span)?;
                 }
@@ -320,7 +320,7 @@ impl Evaluator<'_> {
         let thickness = self.float()?;
         self.comma()?;
         let offset = self.vector()?;
-        let unicode = self.charset_is_unicode();
+        let unicode = self.utf8;
         let characters = text.encode_utf16().collect();
         Ok(Shape::Text(Arc::new(Text { font, characters, unicode, thickness, offset })))
     }

@@ -5,10 +5,10 @@
 
 use super::pattern::no_list;
 use crate::diag::{SourceResult, Span};
-use crate::eval::{Evaluator, TokenKind, Value};
+use crate::eval::{Evaluator, Place, Value};
 use crate::function::{Binary, Function, FunctionBody, Internal, Program, ProgramBuilder, Slot, Unary};
 use crate::scene::{Pattern, PatternKind, Pigment};
-use crate::syntax::Keyword as K;
+use crate::syntax::{Keyword as K, Symbol, TokenKind};
 use smallvec::{SmallVec, smallvec};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -84,9 +84,9 @@ impl Evaluator<'_> {
         let token = self.next()?;
         match &token.kind {
             TokenKind::Keyword(k @ (K::X | K::Y | K::Z | K::U | K::V)) => Ok(k.word().into()),
-            TokenKind::Name(name) if self.value_of(*name).is_none() => Ok(self.name_text(*name)),
+            TokenKind::Name(name) if self.meaning(*name).is_none() => Ok(self.names.word(*name).clone()),
             TokenKind::Name(name) => {
-                let name = self.name_text(*name);
+                let name = self.names.word(*name).clone();
                 self.error(token.span, format!("'{name}' is already declared and cannot name a parameter"))
             }
             _ => self.error(token.span, "expected a parameter name"),
@@ -116,9 +116,9 @@ impl Evaluator<'_> {
             K::Transform => (3, FunctionBody::Transform(self.transform_block()?)),
             K::Spline => (1, FunctionBody::External(self.spline_block()?)),
             _ => {
-                self.expect_punct('(', "'(' and the number of an internal function")?;
+                self.expect_punct('(', "before the number of an internal function")?;
                 let number = self.float()?;
-                self.expect_punct(')', "')'")?;
+                self.expect_punct(')', "to close it")?;
                 let found = (number >= 0.0).then(|| Internal::new(number as u32)).flatten();
                 let Some(internal) = found else {
                     return self.error(span, format!("there is no internal function {number}"));
@@ -179,9 +179,9 @@ impl Evaluator<'_> {
                 TokenKind::Punct('<') => Binary::Less,
                 TokenKind::Punct('>') => Binary::Greater,
                 TokenKind::Punct('=') => Binary::Equal,
-                TokenKind::LessEqual => Binary::LessEqual,
-                TokenKind::GreaterEqual => Binary::GreaterEqual,
-                TokenKind::NotEqual => Binary::NotEqual,
+                TokenKind::OrEqual('<') => Binary::LessEqual,
+                TokenKind::OrEqual('>') => Binary::GreaterEqual,
+                TokenKind::OrEqual('!') => Binary::NotEqual,
                 _ => return Ok(left),
             };
             self.next()?;
@@ -247,39 +247,52 @@ impl Evaluator<'_> {
     fn function_primary(&mut self, body: &mut Body, span: Span) -> SourceResult<Slot> {
         if self.accept_punct('(')? {
             let inner = self.function_or(body)?;
-            self.expect_punct(')', "')'")?;
+            self.expect_punct(')', "to close it")?;
             return Ok(inner);
         }
-        let token = self.next()?;
-        match token.kind {
-            TokenKind::Number(n) => Ok(body.builder.constant(n)),
-            TokenKind::Keyword(k) => self.function_keyword(body, k, span),
-            TokenKind::Name(name) => {
-                let text = self.name_text(name);
-                if let Some(index) = body.find(&text) {
-                    return Ok(body.builder.argument(index));
-                }
-                match self.value_of(name) {
-                    Some(Value::Function(f)) => self.function_call(body, &f, span),
-                    Some(Value::Spline(s)) => {
-                        let spline = Function { n_parameters: 1, body: FunctionBody::External(s) };
-                        self.function_call(body, &Arc::new(spline), span)
-                    }
-                    Some(Value::Float(v)) => Ok(body.builder.constant(v)),
-                    Some(Value::Array(_)) => {
-                        self.unread(token);
-                        let value = self.float_identifier()?;
-                        Ok(body.builder.constant(value))
-                    }
-                    Some(_) => self.error(span, format!("'{text}' is not a number and cannot stand in a function")),
-                    None => self.undeclared(span, name, "a parameter, a float identifier or a function"),
-                }
+        match self.peek()?.kind {
+            TokenKind::Number(n) => {
+                self.next()?;
+                Ok(body.builder.constant(n))
             }
-            _ => {
-                self.unread(token);
-                self.expected("an operand of a function")
+            TokenKind::Keyword(k) => {
+                self.next()?;
+                self.function_keyword(body, k, span)
             }
+            TokenKind::Name(name) => self.function_name(body, name, span),
+            _ => self.expected("an operand of a function"),
         }
+    }
+
+    /// A parameter, another function, or a number captured by value.
+    fn function_name(&mut self, body: &mut Body, name: Symbol, span: Span) -> SourceResult<Slot> {
+        let text = self.names.word(name).clone();
+        if let Some(index) = body.find(&text) {
+            self.next()?;
+            return Ok(body.builder.argument(index));
+        }
+        let function = |v: &Value| match v {
+            Value::Function(f) => Some(f.clone()),
+            Value::Spline(s) => {
+                Some(Arc::new(Function { n_parameters: 1, body: FunctionBody::External(s.clone()) }))
+            }
+            _ => None,
+        };
+        if let Some(function) = self.take_declared(function)? {
+            return self.function_call(body, &function, span);
+        }
+        if let Some(value) = self.take_declared(|v| if let Value::Float(v) = v { Some(*v) } else { None })? {
+            return Ok(body.builder.constant(value));
+        }
+        match self.meaning(name) {
+            Some(_) => self.error(span, format!("'{text}' is not a number and cannot stand in a function")),
+            None => self.undeclared(name, span),
+        }
+    }
+
+    /// What a name stands for.
+    fn meaning(&self, name: Symbol) -> Option<Value> {
+        self.scopes.find(name).and_then(Place::get)
     }
 
     fn function_keyword(&mut self, body: &mut Body, keyword: K, span: Span) -> SourceResult<Slot> {
@@ -322,7 +335,7 @@ impl Evaluator<'_> {
                 None => body.builder.constant(0.0),
             }),
             K::Pi => Ok(body.builder.constant(std::f64::consts::PI)),
-            K::Clock => Ok(body.builder.constant(self.clock())),
+            K::Clock => Ok(body.builder.constant(self.options.clock)),
             K::Pow | K::Atan2 | K::Mod | K::Div => {
                 let f = match keyword {
                     K::Pow => Binary::Pow,
@@ -352,7 +365,7 @@ impl Evaluator<'_> {
     }
 
     fn function_arguments(&mut self, body: &mut Body) -> SourceResult<SmallVec<[Slot; 4]>> {
-        self.expect_punct('(', "'(' and the arguments")?;
+        self.expect_punct('(', "before the arguments")?;
         let mut arguments = smallvec![];
         if self.accept_punct(')')? {
             return Ok(arguments);
@@ -360,7 +373,7 @@ impl Evaluator<'_> {
         loop {
             arguments.push(self.function_or(body)?);
             if !self.accept_punct(',')? {
-                self.expect_punct(')', "',' or ')'")?;
+                self.expect_punct(')', "after the arguments")?;
                 return Ok(arguments);
             }
         }
@@ -368,18 +381,18 @@ impl Evaluator<'_> {
 
     /// `sum(i, from, to, E)`: E becomes a program of its own that also takes all outer names.
     fn function_fold(&mut self, body: &mut Body, product: bool) -> SourceResult<Slot> {
-        self.expect_punct('(', "'('")?;
+        self.expect_punct('(', "before the arguments")?;
         let token = self.next()?;
         let name: Rc<str> = match token.kind {
-            TokenKind::Name(name) => self.name_text(name),
+            TokenKind::Name(name) => self.names.word(name).clone(),
             TokenKind::Keyword(k @ (K::X | K::Y | K::Z | K::U | K::V)) => k.word().into(),
             _ => return self.error(token.span, "expected the name of the running index"),
         };
-        self.expect_punct(',', "','")?;
+        self.expect_punct(',', "between the arguments")?;
         let from = self.function_or(body)?;
-        self.expect_punct(',', "','")?;
+        self.expect_punct(',', "between the arguments")?;
         let to = self.function_or(body)?;
-        self.expect_punct(',', "','")?;
+        self.expect_punct(',', "between the arguments")?;
         let index = body.n_arguments;
         let mut inner = Body {
             builder: ProgramBuilder::default(),
@@ -391,7 +404,7 @@ impl Evaluator<'_> {
             inner.names.push((name, index));
         }
         let result = self.function_or(&mut inner)?;
-        self.expect_punct(')', "')'")?;
+        self.expect_punct(')', "to close it")?;
         let arguments = (0..index).map(|i| body.builder.argument(i)).collect();
         let program: Program = inner.builder.finish(result);
         Ok(body.builder.fold(product, from, to, program, arguments))
@@ -407,7 +420,7 @@ impl Evaluator<'_> {
         if function.width() == 1 {
             return Ok(body.builder.call(function, arguments, 0));
         }
-        self.expect_punct('.', "'.' and which of the returned numbers is meant")?;
+        self.expect_punct('.', "and which of the returned numbers is meant")?;
         let mut component = |body: &mut Body, i: u8| body.builder.call(function, arguments.clone(), i);
         let token = self.next()?;
         let member = match token.kind {
@@ -423,11 +436,11 @@ impl Evaluator<'_> {
                 }
                 _ => None,
             },
-            TokenKind::Name(name) if &*self.name_text(name) == "grey" => {
+            TokenKind::Name(name) if &**self.names.word(name) == "grey" => {
                 let weights = [0.297, 0.589, 0.114];
                 return Ok(body.weighted([0, 1, 2].map(|i| component(body, i)), weights));
             }
-            TokenKind::Name(name) if &*self.name_text(name) == "hf" => {
+            TokenKind::Name(name) if &**self.names.word(name) == "hf" => {
                 // Undocumented height field value: 0.996093 (red + green / 255).
                 let (red, green) = (component(body, 0), component(body, 1));
                 return Ok(body.weighted([red, green, green], [0.996093, 0.996093 / 255.0, 0.0]));

@@ -223,11 +223,11 @@ impl Evaluator<'_> {
             K::Reciprocal => F::Reciprocal,
             K::Pwr => {
                 self.next()?;
-                self.expect_punct('(', "'('")?;
+                self.expect_punct('(', "before the arguments")?;
                 let a = self.float()?;
                 self.comma()?;
                 let b = self.float()?;
-                self.expect_punct(')', "')'")?;
+                self.expect_punct(')', "to close it")?;
                 julia.function = F::Pwr(a, b);
                 return Ok(true);
             }

@@ -71,7 +71,7 @@ impl Evaluator<'_> {
 
     /// What a `media` block starts from under the version in force.
     fn default_media(&self) -> Media {
-        let new = self.version() >= VERSION_WITH_MEDIA_METHOD_3;
+        let new = self.version >= VERSION_WITH_MEDIA_METHOD_3;
         Media {
             method: if new { 3 } else { 1 },
             intervals: if new { 1 } else { 10 },

@@ -3,6 +3,7 @@
 use crate::diag::{SourceResult, Span};
 use crate::eval::{Evaluator, Value};
 use crate::math::{DVec2, DVec3};
+use crate::syntax::TokenKind;
 use crate::scene::{Mesh, Shape, Texture};
 use crate::syntax::Keyword as K;
 use rustc_hash::FxHashMap;
@@ -238,6 +239,11 @@ impl Evaluator<'_> {
         Ok(list)
     }
 
+    /// Whether the next token opens a vector.
+    pub(super) fn at_vector(&mut self) -> SourceResult<bool> {
+        Ok(matches!(self.peek()?.kind, TokenKind::Vector | TokenKind::Vectors | TokenKind::Punct('<')))
+    }
+
     fn mesh2_textures(&mut self, mesh: &mut Mesh) -> SourceResult<()> {
         self.open("texture_list")?;
         let n = self.integer()?;
@@ -279,7 +285,7 @@ impl Evaluator<'_> {
             faces.push(self.vector()?);
             self.comma()?;
             let mut textures = Vec::new();
-            while textures.len() < 3 && !self.at_punct('<')? && self.starts_expression()? {
+            while textures.len() < 3 && !self.at_vector()? && self.starts_expression()? {
                 let span = self.span();
                 let index = self.integer()?;
                 if index < 0 || index as usize >= mesh.textures.len() {

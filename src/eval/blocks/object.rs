@@ -3,7 +3,7 @@
 use crate::diag::{SourceResult, Span};
 use crate::eval::{Evaluator, Value};
 use crate::scene::{CsgOperation, Object, PhotonFlags, PlacedTexture, Shape, Texture, TextureLayer};
-use crate::syntax::Keyword as K;
+use crate::syntax::{Keyword as K, TokenKind};
 use std::sync::Arc;
 
 /// Modifiers that only some shapes take.
@@ -25,10 +25,7 @@ impl Evaluator<'_> {
         if !is_object_keyword(keyword) {
             return Ok(None);
         }
-        self.enter_block()?;
-        let object = self.object_block(keyword);
-        self.leave_block();
-        object.map(Some)
+        self.object_block(keyword).map(Some)
     }
 
     fn object_block(&mut self, keyword: K) -> SourceResult<Arc<Object>> {
@@ -46,14 +43,16 @@ impl Evaluator<'_> {
     fn object_start(&mut self, keyword: K, span: Span) -> SourceResult<Object> {
         let csg = csg_operation(keyword);
         let pick = |v: &Value| if let Value::Object(o) = v { Some(o.clone()) } else { None };
-        let first = if keyword == K::LightGroup { None } else { self.take_declared_name(pick)? };
+        let name = self.name_ahead()?;
+        let known = if keyword == K::LightGroup { None } else { self.take_declared(pick)? };
+        let first = name.zip(known);
         if let Some(operation) = csg {
             let children = self.csg_children(first.as_ref().map(|(_, object)| object.clone()))?;
             // One identifier alone is a copy of that object, whatever the keyword.
             if let (Some((name, object)), [_]) = (first, &children[..]) {
                 return Ok(copy_of(&object, name, span));
             }
-            if children.len() < 2 && self.version() >= 150 {
+            if children.len() < 2 && self.version >= 150 {
                 self.warn_once("csg-children", span, "a CSG object should have at least two children");
             }
             return Ok(Object::new(Shape::Csg { operation, children: children.into() }, span));
@@ -73,6 +72,14 @@ impl Evaluator<'_> {
             }
             _ => Ok(Object::new(self.shape(keyword, span)?, span)),
         }
+    }
+
+    /// The identifier that comes next, if one does.
+    fn name_ahead(&mut self) -> SourceResult<Option<Arc<str>>> {
+        Ok(match self.peek()?.kind {
+            TokenKind::Name(name) => Some((&**self.names.word(name)).into()),
+            _ => None,
+        })
     }
 
     fn csg_children(&mut self, first: Option<Arc<Object>>) -> SourceResult<Vec<Arc<Object>>> {

@@ -23,12 +23,12 @@ impl Evaluator<'_> {
             K::AssumedGamma => {
                 self.next()?;
                 let working = self.gamma_value()?;
-                if self.assumed_gamma_seen {
+                if self.defaults.gamma_given {
                     self.warn(span, "assumed_gamma was given before; this one has no effect");
                     return Ok(true);
                 }
-                self.assumed_gamma_seen = true;
-                let modern = self.version() >= 370;
+                self.defaults.gamma_given = true;
+                let modern = self.version >= 370;
                 self.scene.settings.gamma = if modern { Gamma::Linear(working) } else { Gamma::Legacy(working) };
             }
             K::AmbientLight => {
@@ -107,8 +107,8 @@ impl Evaluator<'_> {
 
     fn charset(&mut self) -> SourceResult<()> {
         match self.keyword()? {
-            Some(K::Ascii) => self.set_charset(false),
-            Some(K::Utf8 | K::Sys) => self.set_charset(true),
+            Some(K::Ascii) => self.utf8 = false,
+            Some(K::Utf8 | K::Sys) => self.utf8 = true,
             _ => return self.expected("'ascii', 'utf8' or 'sys'"),
         }
         self.next()?;

@@ -181,7 +181,7 @@ impl Evaluator<'_> {
     }
 
     fn polynomial_list(&mut self, order: u32) -> SourceResult<Shape> {
-        self.expect_punct('<', "'<' and the coefficients")?;
+        self.expect_punct('<', "before the coefficients")?;
         let n = n_coefficients(order);
         let mut coefficients = Vec::with_capacity(n);
         for i in 0..n {
@@ -190,7 +190,7 @@ impl Evaluator<'_> {
                 self.comma()?;
             }
         }
-        self.expect_punct('>', &format!("'>' after {n} coefficients"))?;
+        self.expect_punct('>', &format!("after {n} coefficients"))?;
         Ok(Shape::Polynomial { order, coefficients: coefficients.into(), sturm: false })
     }
 
@@ -203,7 +203,7 @@ impl Evaluator<'_> {
             if !self.accept(K::Xyz)? {
                 break;
             }
-            self.expect_punct('(', "'(' and three powers")?;
+            self.expect_punct('(', "before the three powers")?;
             let mut powers = [0; 3];
             for (i, power) in powers.iter_mut().enumerate() {
                 *power = self.integer()?.max(0);
@@ -211,8 +211,8 @@ impl Evaluator<'_> {
                     self.comma()?;
                 }
             }
-            self.expect_punct(')', "')'")?;
-            self.expect_punct(':', "':' and the coefficient")?;
+            self.expect_punct(')', "to close it")?;
+            self.expect_punct(':', "before the coefficient")?;
             let value = self.float()?;
             if powers.iter().sum::<i64>() > i64::from(order) {
                 return self.error(span, format!("the powers add up to more than the order {order}"));

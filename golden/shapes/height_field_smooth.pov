@@ -1,0 +1,10 @@
+// height_field: smooth normals, coloured by height.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+
+camera { location <0.5, 1.3, -1.3> look_at <0.5, 0.1, 0.5> angle 45 }
+light_source { <-3, 4, -2> rgb 1 }
+background { rgb <0.1, 0.12, 0.2> }
+height_field { function 16, 16 { 0.5 + 0.3 * sin(x * 9) * cos(y * 7) + 0.1 * x } smooth
+  pigment { gradient y color_map { [0.1 rgb <0.2, 0.4, 0.2>] [0.5 rgb <0.6, 0.5, 0.3>] [0.9 rgb 1] } }
+  scale <1, 0.6, 1> finish { specular 0.3 } }

@@ -1,0 +1,3 @@
+//! From the evaluated scene to the compiled one, as named passes.
+
+pub mod geometry;

@@ -1,0 +1,146 @@
+//! What a ray asks for and what it gets back.
+#![allow(dead_code)] // until the traversal arrives
+
+use crate::math::{DVec2, DVec3, Range, Ray, Transform};
+use smallvec::SmallVec;
+use std::borrow::Cow;
+
+/// Who sends the ray; decides which objects it passes by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayKind {
+    /// From the camera: passes `no_image` objects by.
+    Camera,
+    /// Refracted or transmitted, with no reflection on its way from the camera: passes `no_image` objects by.
+    Refracted,
+    /// With a reflection on its way: passes `no_reflection` objects by.
+    Reflected,
+    /// Towards a light: passes `no_shadow` objects by.
+    Shadow,
+}
+
+/// Index into the textures that `compile` collected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TextureId(pub u32);
+
+/// Index into the interiors that `compile` collected, one for each object that owns one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct InteriorId(pub u32);
+
+/// Index of a frame-level object (after union splitting), in file order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ObjectId(pub u32);
+
+/// Index into the light groups that `compile` collected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct LightGroupId(pub u32);
+
+/// Identity of an interior: which one, and in which copy of the object that owns it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct InteriorKey {
+    /// Index of the interior.
+    pub interior: InteriorId,
+    /// Tells copies of one shared object apart; 0 outside shared groups.
+    pub instance: u32,
+}
+
+/// How many shared groups may stand inside each other; deeper ones are copied out by `compile`.
+pub const MAX_INSTANCE_DEPTH: usize = 24;
+
+/// The instances a ray went through to reach a primitive, outermost first.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Path {
+    /// Indices into the instances; only the first `len` count.
+    steps: [u32; MAX_INSTANCE_DEPTH],
+    len: u8,
+}
+
+impl Path {
+    /// The instances, outermost first.
+    pub(crate) fn steps(&self) -> &[u32] {
+        &self.steps[..usize::from(self.len)]
+    }
+
+    /// Goes into an instance; `compile` keeps the depth in bounds.
+    pub(crate) fn push(&mut self, instance: u32) {
+        self.steps[usize::from(self.len)] = instance;
+        self.len += 1;
+    }
+
+    /// Comes out again.
+    pub(crate) fn pop(&mut self) {
+        self.len -= 1;
+    }
+}
+
+/// The nearest hit of a ray: enough to rebuild everything else.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit {
+    /// Ray parameter; world distance for a unit direction.
+    pub t: f64,
+    /// Index of the primitive.
+    pub(crate) primitive: u32,
+    /// Which part of the primitive: face, segment or glyph, as the shape sees fit.
+    pub(crate) part: u32,
+    /// Through which instances.
+    pub(crate) path: Path,
+}
+
+/// One texture seen at a hit, with its share.
+#[derive(Clone, Debug)]
+pub struct TextureRef<'a> {
+    /// Which texture.
+    pub texture: TextureId,
+    /// Share among all textures of the hit; they add up to 1.
+    pub weight: f32,
+    /// Takes world space to the space in which the texture was written.
+    pub texture_from_world: Cow<'a, Transform>,
+}
+
+/// Everything about the place a ray hit.
+#[derive(Clone, Debug)]
+pub struct Surface<'a> {
+    /// World position, moved onto the surface.
+    pub point: DVec3,
+    /// Bound of the distance between `point` and the true surface, world units.
+    pub point_error: f64,
+    /// Unit world normal of the surface itself: the object's own outward side, not turned to the ray.
+    pub geometric_normal: DVec3,
+    /// Unit world normal for shading: interpolated where the surface is smooth, else the geometric one.
+    pub normal: DVec3,
+    /// Surface coordinates.
+    pub uv: DVec2,
+    /// Whether the ray hits the back: raw `normal` along the direction.
+    pub from_inside: bool,
+    /// Which textures show, already chosen for this side; empty means black and opaque.
+    pub textures: SmallVec<[TextureRef<'a>; 1]>,
+    /// Textures are looked up at (u, v, 0).
+    pub uv_mapping: bool,
+    /// What fills the object.
+    pub interior: InteriorKey,
+    /// Fog and media outside also fill the object.
+    pub hollow: bool,
+    /// Both sides are lit.
+    pub double_illuminate: bool,
+    /// The frame-level object.
+    pub object: ObjectId,
+    /// The light group that the object belongs to.
+    pub light_group: Option<LightGroupId>,
+}
+
+/// How far a new ray starts from the surface, in units of `point_error`: one for the error of
+/// this surface, the rest for the rounding of the next intersection test near it.
+const LEAVE_FACTOR: f64 = 4.0;
+
+impl Surface<'_> {
+    /// A ray that leaves the surface along `direction` (unit, world), with its range.
+    ///
+    /// The origin is moved off the surface along the geometric normal by a few times
+    /// `point_error`, to the side where the direction points, so that the ray cannot meet the
+    /// surface it leaves; no distance is fixed, so tiny and huge scenes behave alike.
+    /// Source: Pharr, Jakob, Humphreys, Physically Based Rendering, 3rd ed., section 3.9.5.
+    pub fn leave(&self, direction: DVec3) -> (Ray, Range) {
+        let side = if self.geometric_normal.dot(direction) < 0.0 { -1.0 } else { 1.0 };
+        let origin = self.point + self.geometric_normal * (side * LEAVE_FACTOR * self.point_error);
+        (Ray::new(origin, direction), Range::FORWARD)
+    }
+}

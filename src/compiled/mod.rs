@@ -1,0 +1,7 @@
+//! What rays meet: geometry here, textures and lights beside it.
+//!
+//! Plain data without spans or paths, made by [`compile`](crate::compile); knows nothing
+//! of the scene description. Indices ([`TextureId`](geometry::TextureId),
+//! [`InteriorId`](geometry::InteriorId)) refer to lists that `compile` hands on.
+
+pub mod geometry;

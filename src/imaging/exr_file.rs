@@ -1,0 +1,160 @@
+//! OpenEXR in and out.
+//!
+//! Colours are channels `R`, `G`, `B` and, where there is transparency, `A`; layers are
+//! `name.channel`, as Blender, Nuke and OpenImageIO read them.
+
+use super::{ImageError, Layer, Metadata, Picture};
+use exr::prelude::{
+    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, LayerAttributes, LineOrder, Text, Vec2,
+    WritableImage, attribute::AttributeValue, f16,
+};
+use exr::prelude::{ReadChannels, ReadLayers};
+use std::io::Cursor;
+use std::path::Path;
+
+/// The bytes of an EXR file: scan lines, ZIP compressed, colours in half precision unless `float`.
+///
+/// Layers are always single precision, because positions and depths need it.
+///
+/// # Errors
+/// [`ImageError::Invalid`] for a picture that the format cannot hold, such as one of no size.
+pub(super) fn encode_exr(
+    path: &Path,
+    picture: &Picture,
+    metadata: &Metadata,
+    float: bool,
+) -> Result<Vec<u8>, ImageError> {
+    let mut channels: Vec<AnyChannel<FlatSamples>> = Vec::new();
+    let names = if picture.has_alpha { &["R", "G", "B", "A"][..] } else { &["R", "G", "B"] };
+    for (i, &name) in names.iter().enumerate() {
+        let values = picture.pixels.iter().map(|p| p[i]);
+        let samples = if float {
+            FlatSamples::F32(values.collect())
+        } else {
+            FlatSamples::F16(values.map(f16::from_f32).collect())
+        };
+        channels.push(AnyChannel::new(name, samples));
+    }
+    for layer in &picture.layers {
+        for (channel, values) in &layer.channels {
+            let name = Text::from(format!("{}.{channel}", layer.name).as_str());
+            channels.push(AnyChannel::new(name, FlatSamples::F32(values.clone())));
+        }
+    }
+    let encoding =
+        Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
+    let layer = exr::prelude::Layer::new(
+        Vec2(picture.width, picture.height),
+        attributes(metadata),
+        encoding,
+        AnyChannels::sort(channels.into_iter().collect()),
+    );
+    let mut bytes = Cursor::new(Vec::new());
+    Image::from_layer(layer).write().to_buffered(&mut bytes).map_err(|e| invalid(path, &e))?;
+    Ok(bytes.into_inner())
+}
+
+fn attributes(metadata: &Metadata) -> LayerAttributes {
+    let mut attributes = LayerAttributes::default();
+    if !metadata.software.is_empty() {
+        attributes.software_name = Some(Text::from(metadata.software.as_str()));
+    }
+    for (name, value) in [("scene", &metadata.scene), ("camera", &metadata.camera)] {
+        if !value.is_empty() {
+            attributes.other.insert(Text::from(name), AttributeValue::Text(Text::from(value.as_str())));
+        }
+    }
+    if metadata.rays > 0 {
+        attributes.other.insert(Text::from("renderSeconds"), AttributeValue::F32(metadata.seconds as f32));
+        attributes.other.insert(Text::from("rays"), AttributeValue::F64(metadata.rays as f64));
+    }
+    attributes
+}
+
+/// Reads the first part of an EXR file: its colours, and every other channel as a layer.
+///
+/// A file with only `Y` gives grey.
+///
+/// # Errors
+/// [`ImageError`] when the file cannot be read, is damaged or holds no colour.
+pub fn read_exr(path: &Path) -> Result<Picture, ImageError> {
+    let bytes = std::fs::read(path).map_err(|e| ImageError::Io(path.to_owned(), e))?;
+    decode_exr(path, &bytes)
+}
+
+fn decode_exr(path: &Path, bytes: &[u8]) -> Result<Picture, ImageError> {
+    let image = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes()
+        .from_buffered(Cursor::new(bytes))
+        .map_err(|e| invalid(path, &e))?;
+    let Vec2(width, height) = image.layer_data.size;
+    let mut picture = Picture::filled(width, height, [0.0, 0.0, 0.0, 1.0]);
+    let mut has_color = false;
+    for channel in image.layer_data.channel_data.list {
+        let values: Vec<f32> = channel.sample_data.values_as_f32().collect();
+        let name = channel.name.to_string();
+        let component = ["R", "G", "B", "A"].iter().position(|n| *n == name);
+        match (component, name.rsplit_once('.')) {
+            (Some(i), _) => {
+                has_color |= i < 3;
+                picture.has_alpha |= i == 3;
+                picture.pixels.iter_mut().zip(&values).for_each(|(p, v)| p[i] = *v);
+            }
+            (None, _) if name == "Y" => {
+                has_color = true;
+                picture.pixels.iter_mut().zip(&values).for_each(|(p, v)| p[..3].fill(*v));
+            }
+            (None, Some((layer, suffix))) => add_channel(&mut picture.layers, layer, suffix, values),
+            (None, None) => add_channel(&mut picture.layers, "", &name, values),
+        }
+    }
+    if has_color {
+        Ok(picture)
+    } else {
+        Err(ImageError::Unsupported(path.to_owned(), "no channel R, G, B or Y".into()))
+    }
+}
+
+fn add_channel(layers: &mut Vec<Layer>, layer: &str, suffix: &str, values: Vec<f32>) {
+    match layers.iter_mut().find(|l| l.name == layer) {
+        Some(found) => found.channels.push((suffix.into(), values)),
+        None => layers.push(Layer { name: layer.into(), channels: vec![(suffix.into(), values)] }),
+    }
+}
+
+fn invalid(path: &Path, error: &exr::error::Error) -> ImageError {
+    ImageError::Invalid(path.to_owned(), error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(float: bool, has_alpha: bool) {
+        let mut picture = Picture::filled(3, 2, [0.25, 1.5, -0.5, 1.0]);
+        picture.pixels[1] = [65504.0, 0.0, 1.0, if has_alpha { 0.5 } else { 1.0 }];
+        picture.has_alpha = has_alpha;
+        let depth = (0..6).map(|i| i as f32 / 3.0).collect();
+        picture.layers.push(Layer { name: "depth".into(), channels: vec![("Z".into(), depth)] });
+        let path = Path::new("a.exr");
+        let metadata = Metadata { software: "test".into(), rays: 7, ..Metadata::default() };
+        let bytes = encode_exr(path, &picture, &metadata, float).unwrap();
+        assert_eq!(decode_exr(path, &bytes).unwrap(), picture);
+    }
+
+    #[test]
+    fn what_is_written_is_read_back() {
+        check(false, false);
+        check(true, true);
+    }
+
+    #[test]
+    fn damaged_files_are_refused() {
+        assert!(decode_exr(Path::new("a.exr"), b"not an exr file").is_err());
+        assert!(decode_exr(Path::new("a.exr"), b"").is_err());
+    }
+}

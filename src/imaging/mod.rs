@@ -1,0 +1,31 @@
+//! Pictures: the pixel buffer, files in and out, and how two pictures differ.
+//!
+//! Pixels are height x width x (red, green, blue, alpha), row-major, top row first, linear light,
+//! `f32`, premultiplied by alpha. Knows nothing of scenes.
+//!
+//! ```
+//! use whitted::imaging::{Picture, compare};
+//! let (black, white) = (Picture::filled(4, 3, [0.0, 0.0, 0.0, 1.0]), Picture::filled(4, 3, [1.0; 4]));
+//! assert_eq!(compare(&black, &black).unwrap().rmse, 0.0);
+//! assert!(compare(&black, &white).unwrap().mean_display > 254.9);
+//! ```
+
+mod atomic;
+mod error;
+mod exr_file;
+mod flip;
+mod heatmap;
+mod metrics;
+mod picture;
+mod save;
+mod transfer;
+
+pub use atomic::write_whole;
+pub use error::ImageError;
+pub use exr_file::read_exr;
+pub use flip::flip;
+pub use heatmap::heatmap;
+pub use metrics::{Difference, Verdict, compare};
+pub use picture::{Layer, Metadata, Picture};
+pub use save::{Encoding, FileKind, save};
+pub use transfer::{linear_from_srgb, srgb_from_linear};

@@ -1,0 +1,52 @@
+//! The pixel buffer with its extra layers and what is said about it.
+
+/// A rendered or loaded picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// Height x width x RGBA, row-major, top row first, linear light, premultiplied.
+    pub pixels: Vec<[f32; 4]>,
+    /// Whether alpha means anything; otherwise it is 1 everywhere and not written.
+    pub has_alpha: bool,
+    /// Further values for each pixel, such as depth.
+    pub layers: Vec<Layer>,
+}
+
+/// Named channels beside the colours, each height x width.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// Prefix of the channel names in the file, as `depth` in `depth.Z`.
+    pub name: String,
+    /// Channel suffix and values.
+    pub channels: Vec<(String, Vec<f32>)>,
+}
+
+/// What a file says about the picture beside its pixels.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Metadata {
+    /// Program and version.
+    pub software: String,
+    /// The scene file.
+    pub scene: String,
+    /// The camera in words.
+    pub camera: String,
+    /// Time spent rendering.
+    pub seconds: f64,
+    /// Rays shot, shadow rays included.
+    pub rays: u64,
+}
+
+impl Picture {
+    /// One colour everywhere.
+    pub fn filled(width: usize, height: usize, pixel: [f32; 4]) -> Self {
+        Self { width, height, pixels: vec![pixel; width * height], has_alpha: false, layers: Vec::new() }
+    }
+
+    /// The pixel in column `x` of row `y`.
+    pub fn pixel(&self, x: usize, y: usize) -> [f32; 4] {
+        self.pixels[y * self.width + x]
+    }
+}
