@@ -182,8 +182,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 let map = Blend::Map(self.color_map()?);
                 let along = Pattern::new(PatternKind::Gradient(DVec3::X));
-                rainbow.pigment =
-                    Arc::new(Pigment { kind: PigmentKind::Colors(along, map), ..Pigment::default() });
+                rainbow.pigment = Arc::new(Pigment { kind: PigmentKind::Colors(along, map), ..Pigment::default() });
                 return Ok(true);
             }
             _ => return Ok(false),

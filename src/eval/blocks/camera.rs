@@ -331,7 +331,8 @@ impl Evaluator<'_> {
                 self.next()?;
                 let first = self.integer()?.clamp(0, 1 << 24) as u32;
                 self.comma()?;
-                let second = if self.starts_expression()? { Some(self.integer()?.clamp(0, 1 << 24) as u32) } else { None };
+                let second =
+                    if self.starts_expression()? { Some(self.integer()?.clamp(0, 1 << 24) as u32) } else { None };
                 camera.blur_samples = second.map_or([0, first], |most| [first, most]);
                 if camera.blur_samples[0] > camera.blur_samples[1] {
                     return self.error(span, "the smallest number of blur samples exceeds the largest");

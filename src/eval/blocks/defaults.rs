@@ -39,7 +39,10 @@ impl Evaluator<'_> {
                         Texture::Layers(layers) if layers.len() == 1 => {
                             self.defaults.layer = layers.into_iter().next().unwrap_or_default();
                         }
-                        _ => return self.error(span, "the default texture must be a plain one, without layers or pattern"),
+                        _ => {
+                            return self
+                                .error(span, "the default texture must be a plain one, without layers or pattern");
+                        }
                     }
                 }
                 Some(K::Pigment) => {

@@ -121,7 +121,10 @@ impl Evaluator<'_> {
             K::Ior | K::Caustics | K::Refraction => {
                 self.next()?;
                 let value = Some(self.float()? as f32);
-                self.warn(span, format!("'{}' belongs into interior; in finish it is kept for old scenes", keyword.word()));
+                self.warn(
+                    span,
+                    format!("'{}' belongs into interior; in finish it is kept for old scenes", keyword.word()),
+                );
                 match keyword {
                     K::Ior => finish.ior = value,
                     K::Caustics => finish.caustics = value,

@@ -4,7 +4,7 @@ use crate::diag::{SourceResult, Span};
 use crate::eval::Evaluator;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::{
-    BicubicPatch, Blob, BlobComponent, HeightField, ImageSource, Prism, Shape, SweepSpline, Text, ImageFormat,
+    BicubicPatch, Blob, BlobComponent, HeightField, ImageFormat, ImageSource, Prism, Shape, SweepSpline, Text,
 };
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
@@ -109,13 +109,8 @@ impl Evaluator<'_> {
 
     pub(super) fn bicubic_patch(&mut self, span: Span) -> SourceResult<Shape> {
         let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
-        let mut patch = BicubicPatch {
-            points: [[DVec3::ZERO; 4]; 4],
-            uv_corners: corners,
-            flatness: 0.0,
-            u_steps: 0,
-            v_steps: 0,
-        };
+        let mut patch =
+            BicubicPatch { points: [[DVec3::ZERO; 4]; 4], uv_corners: corners, flatness: 0.0, u_steps: 0, v_steps: 0 };
         let mut typed = false;
         loop {
             self.comma()?;

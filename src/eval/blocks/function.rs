@@ -49,7 +49,8 @@ impl Evaluator<'_> {
             Some(k @ (K::Pigment | K::Pattern | K::Transform | K::Spline | K::Internal)) => {
                 if listed && k != K::Internal {
                     let word = k.word();
-                    return self.error(span, format!("a {word} function takes no parameter list; it is called at a point"));
+                    return self
+                        .error(span, format!("a {word} function takes no parameter list; it is called at a point"));
                 }
                 self.special_body(k)?
             }
@@ -273,9 +274,7 @@ impl Evaluator<'_> {
         }
         let function = |v: &Value| match v {
             Value::Function(f) => Some(f.clone()),
-            Value::Spline(s) => {
-                Some(Arc::new(Function { n_parameters: 1, body: FunctionBody::External(s.clone()) }))
-            }
+            Value::Spline(s) => Some(Arc::new(Function { n_parameters: 1, body: FunctionBody::External(s.clone()) })),
             _ => None,
         };
         if let Some(function) = self.take_declared(function)? {
@@ -432,13 +431,15 @@ impl Evaluator<'_> {
                 K::Transmit => Some(4),
                 K::Gray => {
                     let weights = [0.297, 0.589, 0.114]; // POV-Ray's luminance
-                    return Ok(body.weighted([0, 1, 2].map(|i| component(body, i)), weights));
+                    let slots = [0, 1, 2].map(|i| component(body, i));
+                    return Ok(body.weighted(slots, weights));
                 }
                 _ => None,
             },
             TokenKind::Name(name) if &**self.names.word(name) == "grey" => {
                 let weights = [0.297, 0.589, 0.114];
-                return Ok(body.weighted([0, 1, 2].map(|i| component(body, i)), weights));
+                let slots = [0, 1, 2].map(|i| component(body, i));
+                return Ok(body.weighted(slots, weights));
             }
             TokenKind::Name(name) if &**self.names.word(name) == "hf" => {
                 // Undocumented height field value: 0.996093 (red + green / 255).

@@ -29,7 +29,11 @@ impl Evaluator<'_> {
             self.comma()?;
             let height = self.image_side()?;
             let function = self.plain_function()?;
-            return Ok(Image { source: ImageSource::Function { width, height, function }, gamma: None, premultiplied: None });
+            return Ok(Image {
+                source: ImageSource::Function { width, height, function },
+                gamma: None,
+                premultiplied: None,
+            });
         }
         if self.starts_expression()? {
             let span = self.span();

@@ -46,7 +46,8 @@ impl Evaluator<'_> {
             return self.expected(&format!("an entry of the {what}, as in '[0.5 …]'"));
         }
         if entries.len() > MAX_ENTRIES {
-            return self.error(span, format!("a {what} has at most {MAX_ENTRIES} entries, this one has {}", entries.len()));
+            return self
+                .error(span, format!("a {what} has at most {MAX_ENTRIES} entries, this one has {}", entries.len()));
         }
         self.close(what)?;
         Ok(entries)

@@ -3,9 +3,9 @@
 use crate::diag::{SourceResult, Span};
 use crate::eval::{Evaluator, Value};
 use crate::math::{DVec2, DVec3};
-use crate::syntax::TokenKind;
 use crate::scene::{Mesh, Shape, Texture};
 use crate::syntax::Keyword as K;
+use crate::syntax::TokenKind;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -317,7 +317,10 @@ impl Evaluator<'_> {
                 let v = list[bad];
                 self.error(
                     span,
-                    format!("<{},{},{}> (entry {bad}) is no {what} index; there are {n}, numbered from 0", v.x, v.y, v.z),
+                    format!(
+                        "<{},{},{}> (entry {bad}) is no {what} index; there are {n}, numbered from 0",
+                        v.x, v.y, v.z
+                    ),
                 )
             }
         }
@@ -339,7 +342,8 @@ impl Evaluator<'_> {
                 Some(K::NormalIndices) => {
                     let list = self.counted_vectors("normal_indices")?;
                     if list.len() > n_faces {
-                        return self.error(span, format!("{} normal indices are more than {n_faces} faces", list.len()));
+                        return self
+                            .error(span, format!("{} normal indices are more than {n_faces} faces", list.len()));
                     }
                     mesh.normal_indices = self.indices(list, mesh.normals.len(), "normal", span)?;
                 }

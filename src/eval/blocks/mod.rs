@@ -36,7 +36,7 @@ use std::sync::Arc;
 
 impl Evaluator<'_> {
     /// One item of the scene level, if one comes next.
-    pub(super) fn scene_item(&mut self) -> SourceResult<bool> {
+    pub(in crate::eval) fn scene_item(&mut self) -> SourceResult<bool> {
         let span = self.span();
         if let Some(object) = self.object()? {
             self.place(object);
@@ -47,9 +47,8 @@ impl Evaluator<'_> {
             K::Camera => {
                 self.next()?;
                 let camera = self.camera_block()?;
-                let version = self.version();
-                self.old_camera = Some(camera.clone());
-                if std::mem::replace(&mut self.camera_seen, true) && version >= 350 {
+                let version = self.version;
+                if self.defaults.last_camera.replace(camera.clone()).is_some() && version >= 350 {
                     self.warn(span, "there is more than one camera; the last one is used");
                 }
                 self.scene.camera = camera.into_camera(version);
@@ -93,12 +92,12 @@ impl Evaluator<'_> {
     /// Puts an object into the scene, with the default texture in force now.
     fn place(&mut self, object: Arc<crate::scene::Object>) {
         self.scene.objects.push(object);
-        let texture = self.default_texture();
+        let texture = self.defaults.texture();
         self.scene.default_textures.push(texture);
     }
 
     /// The value of a declaration or macro argument that starts with a block keyword.
-    pub(super) fn declared_block(&mut self, keyword: K) -> SourceResult<Option<Value>> {
+    pub(in crate::eval) fn declared_block(&mut self, keyword: K) -> SourceResult<Option<Value>> {
         let value = match keyword {
             K::Texture => return Ok(Some(Value::Texture(Arc::new(self.layered_textures()?)))),
             K::Camera
@@ -156,15 +155,15 @@ impl Evaluator<'_> {
             K::NormalMap => Value::NormalMap(entries_of(self.normal_map(false)?)),
             K::TextureMap => Value::TextureMap(entries_of(self.texture_map(false)?)),
             K::DensityMap => Value::DensityMap(entries_of(self.density_map(false)?)),
-            K::SlopeMap => Value::SlopeMap(self.slope_map()?.into()),
-            _ => Value::ColorMap(self.color_map()?.into()),
+            K::SlopeMap => Value::SlopeMap(Rc::new(self.slope_map()?)),
+            _ => Value::ColorMap(Rc::new(self.color_map()?)),
         })
     }
 }
 
-fn entries_of<T>(map: Blend<T>) -> Rc<[MapEntry<T>]> {
+fn entries_of<T>(map: Blend<T>) -> Rc<Vec<MapEntry<T>>> {
     match map {
-        Blend::Map(entries) | Blend::Average(entries) => entries.into(),
-        Blend::List(_) | Blend::Default => Rc::from([]),
+        Blend::Map(entries) | Blend::Average(entries) => Rc::new(entries),
+        Blend::List(_) | Blend::Default => Rc::default(),
     }
 }

@@ -126,7 +126,9 @@ impl Evaluator<'_> {
         }
         normal.kind = match (list, std::mem::replace(&mut normal.kind, NormalKind::Pattern(Pattern::default(), None))) {
             (Some(list), _) => NormalKind::Normals(pattern, Blend::List(list)),
-            (None, NormalKind::Normals(_, map)) if pattern.kind.n_blocks().is_none() => NormalKind::Normals(pattern, map),
+            (None, NormalKind::Normals(_, map)) if pattern.kind.n_blocks().is_none() => {
+                NormalKind::Normals(pattern, map)
+            }
             (None, NormalKind::Pattern(_, slopes)) => NormalKind::Pattern(pattern, slopes),
             (None, _) => NormalKind::Pattern(pattern, None),
         };

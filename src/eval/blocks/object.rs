@@ -159,7 +159,12 @@ impl Evaluator<'_> {
         Ok(true)
     }
 
-    fn layer_over(&mut self, below: Option<PlacedTexture>, top: Texture, span: Span) -> SourceResult<PlacedTexture> {
+    pub(super) fn layer_over(
+        &mut self,
+        below: Option<PlacedTexture>,
+        top: Texture,
+        span: Span,
+    ) -> SourceResult<PlacedTexture> {
         let texture = match below {
             Some(below) => self.stack(in_place(below), top, span)?,
             None => top,
@@ -168,7 +173,11 @@ impl Evaluator<'_> {
     }
 
     /// `pigment`, `normal` or `finish` of an object: a part of its texture's top layer.
-    pub(super) fn change_top_layer(&mut self, placed: Option<PlacedTexture>, span: Span) -> SourceResult<PlacedTexture> {
+    pub(super) fn change_top_layer(
+        &mut self,
+        placed: Option<PlacedTexture>,
+        span: Span,
+    ) -> SourceResult<PlacedTexture> {
         let mut layers = match placed.map(in_place) {
             None => vec![self.defaults.layer.clone()],
             Some(Texture::Layers(layers)) => layers,
@@ -385,10 +394,8 @@ impl Evaluator<'_> {
         if object.interior_texture.is_some() && object.texture.is_none() {
             return self.error(span, "an interior_texture needs a texture beside it");
         }
-        let cuts = matches!(
-            object.shape,
-            Shape::Csg { operation: CsgOperation::Intersection | CsgOperation::Difference, .. }
-        );
+        let cuts =
+            matches!(object.shape, Shape::Csg { operation: CsgOperation::Intersection | CsgOperation::Difference, .. });
         if object.flags.cutaway_textures && !cuts {
             return self.error(span, "cutaway_textures belongs to an intersection or difference");
         }

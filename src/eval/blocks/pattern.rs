@@ -83,9 +83,7 @@ impl Evaluator<'_> {
                 P::Brick { size, mortar } => P::Brick { size, mortar },
                 _ => P::Brick { size: DVec3::new(8.0, 3.0, 4.5), mortar: 0.5 },
             },
-            K::Crackle => {
-                P::Crackle { form: DVec3::new(-1.0, 1.0, 0.0), metric: 2.0, offset: 0.0, solid: false }
-            }
+            K::Crackle => P::Crackle { form: DVec3::new(-1.0, 1.0, 0.0), metric: 2.0, offset: 0.0, solid: false },
             K::DensityFile => self.density_file()?,
             K::Function => P::Function(self.plain_function()?),
             K::Gradient => P::Gradient(self.vector()?),
@@ -314,8 +312,14 @@ impl Evaluator<'_> {
                     self.warn(span, "a fractal exponent outside 2 to 33 means 2");
                 }
             }
-            (K::Exterior, P::Julia { exterior: c, .. } | P::Mandel { exterior: c, .. } | P::Magnet { exterior: c, .. })
-            | (K::Interior, P::Julia { interior: c, .. } | P::Mandel { interior: c, .. } | P::Magnet { interior: c, .. }) => {
+            (
+                K::Exterior,
+                P::Julia { exterior: c, .. } | P::Mandel { exterior: c, .. } | P::Magnet { exterior: c, .. },
+            )
+            | (
+                K::Interior,
+                P::Julia { interior: c, .. } | P::Mandel { interior: c, .. } | P::Magnet { interior: c, .. },
+            ) => {
                 let kind = self.integer()?;
                 self.comma()?;
                 let most = if keyword == K::Exterior { 8 } else { 6 };

@@ -99,7 +99,8 @@ impl Evaluator<'_> {
                 let span = self.span();
                 self.next()?;
                 let entries = self.color_map()?;
-                if draft.pattern.kind.n_blocks().is_some() || matches!(draft.content, Content::Solid(_) | Content::Image(_))
+                if draft.pattern.kind.n_blocks().is_some()
+                    || matches!(draft.content, Content::Solid(_) | Content::Image(_))
                 {
                     return self.error(span, "a color_map needs a pattern that runs from 0 to 1 before it");
                 }

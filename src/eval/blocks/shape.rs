@@ -328,7 +328,18 @@ mod tests {
     #[test]
     fn coefficients_stand_in_pov_ray_order() {
         // poly 2: x^2 xy xz x y^2 yz y z^2 z 1
-        let order2 = [[2, 0, 0], [1, 1, 0], [1, 0, 1], [1, 0, 0], [0, 2, 0], [0, 1, 1], [0, 1, 0], [0, 0, 2], [0, 0, 1], [0, 0, 0]];
+        let order2 = [
+            [2, 0, 0],
+            [1, 1, 0],
+            [1, 0, 1],
+            [1, 0, 0],
+            [0, 2, 0],
+            [0, 1, 1],
+            [0, 1, 0],
+            [0, 0, 2],
+            [0, 0, 1],
+            [0, 0, 0],
+        ];
         for (i, powers) in order2.into_iter().enumerate() {
             assert_eq!(coefficient_index(2, powers), i);
         }

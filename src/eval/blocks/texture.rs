@@ -296,7 +296,9 @@ impl Evaluator<'_> {
                                 self.layer_item(top)?;
                             }
                         }
-                        Texture::Patterned(_) => return self.error(span, "a patterned texture takes no pigment, normal or finish"),
+                        Texture::Patterned(_) => {
+                            return self.error(span, "a patterned texture takes no pigment, normal or finish");
+                        }
                     }
                 }
                 Some(K::Interior) => {
