@@ -7,5 +7,6 @@ pub mod eval;
 pub mod function;
 pub mod imaging;
 pub mod math;
+pub mod render;
 pub mod scene;
 pub mod syntax;

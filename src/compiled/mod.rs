@@ -4,4 +4,12 @@
 //! of the scene description. Indices ([`TextureId`](geometry::TextureId),
 //! [`InteriorId`](geometry::InteriorId)) refer to lists that `compile` hands on.
 
+pub mod atmosphere;
+pub mod camera;
 pub mod geometry;
+pub mod interior;
+pub mod light;
+pub mod texture;
+mod world;
+
+pub use world::{Group, Settings, Transfer, World};

@@ -1,5 +1,7 @@
 //! Places in source files.
 
+use std::sync::Arc;
+
 /// A file that was read, by order of reading.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FileId(pub u32);
@@ -13,4 +15,144 @@ pub struct Span {
     pub start: u32,
     /// One past the last byte.
     pub end: u32,
+}
+
+/// All files that were read, with their text, so that spans can be shown.
+#[derive(Clone, Debug, Default)]
+pub struct SourceMap {
+    files: Vec<SourceFile>,
+}
+
+/// One file.
+#[derive(Clone, Debug)]
+pub struct SourceFile {
+    /// What messages call it.
+    pub name: String,
+    /// Its bytes, which need not be text.
+    pub text: Arc<Vec<u8>>,
+}
+
+/// A place as people count: both from 1, columns in characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LineColumn {
+    /// Line number.
+    pub line: usize,
+    /// Characters from the start of the line.
+    pub column: usize,
+}
+
+/// Part of a file around a place, short enough to be shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Excerpt {
+    /// The text: one line, or as much of it as fits.
+    pub text: String,
+    /// First marked character of `text`.
+    pub start: usize,
+    /// One past the last marked character of `text`.
+    pub end: usize,
+    /// Whether characters of the line before `text` are left out.
+    pub cut: bool,
+}
+
+/// Most characters of a line that are shown before and behind a place.
+const WINDOW: usize = 100;
+
+impl SourceMap {
+    /// Takes in a file.
+    pub fn add(&mut self, name: impl Into<String>, text: Arc<Vec<u8>>) -> FileId {
+        self.files.push(SourceFile { name: name.into(), text });
+        FileId((self.files.len() - 1) as u32)
+    }
+
+    /// A file by its number.
+    pub fn file(&self, id: FileId) -> Option<&SourceFile> {
+        self.files.get(id.0 as usize)
+    }
+
+    /// All files in order of reading.
+    pub fn files(&self) -> &[SourceFile] {
+        &self.files
+    }
+
+    /// The bytes of a span; empty if it lies outside of its file.
+    pub fn bytes(&self, span: Span) -> &[u8] {
+        self.file(span.file).and_then(|f| f.text.get(span.start as usize..span.end as usize)).unwrap_or(&[])
+    }
+
+    /// Line and column of a span's first byte. CR, LF and both together end one line.
+    pub fn line_column(&self, span: Span) -> LineColumn {
+        let Some(file) = self.file(span.file) else { return LineColumn { line: 1, column: 1 } };
+        let before = &file.text[..file.text.len().min(span.start as usize)];
+        let mut line = 1;
+        let mut start = 0;
+        let mut at = 0;
+        while at < before.len() {
+            let byte = before[at];
+            at += 1;
+            if byte == b'\n' || byte == b'\r' {
+                let other = if byte == b'\n' { b'\r' } else { b'\n' };
+                at += usize::from(before.get(at) == Some(&other));
+                line += 1;
+                start = at;
+            }
+        }
+        LineColumn { line, column: String::from_utf8_lossy(&before[start..]).chars().count() + 1 }
+    }
+
+    /// What to show of a span: the part of its first line around its start.
+    pub fn excerpt(&self, span: Span) -> Excerpt {
+        let text: &[u8] = self.file(span.file).map_or(&[], |f| &f.text);
+        let start = text.len().min(span.start as usize);
+        let end = text.len().clamp(start, (span.end as usize).max(start));
+        let is_end = |b: &u8| matches!(b, b'\n' | b'\r');
+        let near = start.saturating_sub(WINDOW);
+        let from = text[near..start].iter().rposition(is_end).map_or(near, |n| near + n + 1);
+        let far = text.len().min(start + 2 * WINDOW);
+        let to = text[start..far].iter().position(is_end).map_or(far, |n| start + n);
+        let shown = |bytes: &[u8]| {
+            let clean = |c: char| if c.is_control() { ' ' } else { c };
+            String::from_utf8_lossy(bytes).chars().map(clean).collect::<String>()
+        };
+        let (before, marked) = (shown(&text[from..start]), shown(&text[start..end.clamp(start, to)]));
+        let rest = shown(&text[end.clamp(start, to)..to]);
+        let first = before.chars().count();
+        Excerpt {
+            start: first,
+            end: first + marked.chars().count().max(1),
+            text: before + &marked + &rest,
+            cut: from == near && near > 0 && !is_end(&text[near - 1]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(text: &[u8], start: u32, end: u32, expected: (usize, usize, &str, usize, usize)) {
+        let mut map = SourceMap::default();
+        let file = map.add("a", Arc::new(text.to_vec()));
+        let span = Span { file, start, end };
+        let (place, shown) = (map.line_column(span), map.excerpt(span));
+        assert_eq!((place.line, place.column, &*shown.text, shown.start, shown.end), expected);
+    }
+
+    #[test]
+    fn places_are_found() {
+        check(b"ab\ncd ef\n", 6, 8, (2, 4, "cd ef", 3, 5));
+        check(b"a\r\nb\n\rc\rd", 8, 9, (4, 1, "d", 0, 1));
+        check(b"", 0, 0, (1, 1, "", 0, 1));
+        check(b"ab", 7, 9, (1, 3, "ab", 2, 3));
+        check("é\u{2192}x".as_bytes(), 5, 6, (1, 3, "é\u{2192}x", 2, 3));
+        check(b"\xff\xfex", 2, 3, (1, 3, "\u{fffd}\u{fffd}x", 2, 3));
+    }
+
+    #[test]
+    fn long_lines_show_a_window() {
+        let mut map = SourceMap::default();
+        let file = map.add("a", Arc::new(vec![b'x'; 1000]));
+        let shown = map.excerpt(Span { file, start: 500, end: 501 });
+        assert!(shown.cut);
+        assert_eq!((shown.text.len(), shown.start, shown.end), (300, 100, 101));
+    }
 }

@@ -1,7 +1,12 @@
 //! What lies outside of the evaluator: files and the terminal.
 
+use crate::function::Callable;
+use crate::math::{Bounds, DVec3, Ray};
+use crate::scene::{GeometryQueries, Object, Pattern, Pigment};
+use std::collections::BTreeMap;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Everything from outside; the evaluator itself touches no disk and prints nothing.
 pub trait Host: Sync {
@@ -33,4 +38,98 @@ pub enum Stream {
     Debug,
     Render,
     Statistics,
+}
+
+/// Files in memory, for tests; messages are kept.
+#[derive(Debug, Default)]
+pub struct Memory {
+    files: Mutex<BTreeMap<PathBuf, Vec<u8>>>,
+    messages: Mutex<String>,
+}
+
+impl Memory {
+    /// Holding these files.
+    pub fn new<'a>(files: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
+        let files = files.into_iter().map(|(name, text)| (name.into(), text.as_bytes().to_vec())).collect();
+        Self { files: Mutex::new(files), messages: Mutex::default() }
+    }
+
+    /// Everything that was said so far.
+    pub fn messages(&self) -> String {
+        lock(&self.messages).clone()
+    }
+
+    /// The bytes of a file.
+    pub fn file(&self, name: &str) -> Option<Vec<u8>> {
+        lock(&self.files).get(Path::new(name)).cloned()
+    }
+}
+
+/// A panic of another thread does not matter to plain data.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Host for Memory {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        lock(&self.files).get(path).cloned().ok_or_else(|| io::ErrorKind::NotFound.into())
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        lock(&self.files).contains_key(path)
+    }
+
+    fn create(&self, path: &Path) -> io::Result<()> {
+        lock(&self.files).insert(path.into(), Vec::new());
+        Ok(())
+    }
+
+    fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        lock(&self.files).entry(path.into()).or_default().extend_from_slice(bytes);
+        Ok(())
+    }
+
+    fn message(&self, _: Stream, text: &str) {
+        lock(&self.messages).push_str(text);
+    }
+}
+
+/// Answers for scenes that ask nothing about their objects: nothing is hit, nothing is inside.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoQueries;
+
+impl GeometryQueries for NoQueries {
+    fn trace(&self, _: &Arc<Object>, _: &Ray) -> Option<(DVec3, DVec3)> {
+        None
+    }
+
+    fn inside(&self, _: &Arc<Object>, _: DVec3) -> Option<bool> {
+        Some(false)
+    }
+
+    fn extent(&self, _: &Arc<Object>) -> Bounds {
+        Bounds::from_corners(DVec3::ZERO, DVec3::ZERO)
+    }
+
+    fn pigment_function(&self, _: &Arc<Pigment>) -> Arc<dyn Callable> {
+        Arc::new(Zero(5))
+    }
+
+    fn pattern_function(&self, _: &Arc<Pattern>) -> Arc<dyn Callable> {
+        Arc::new(Zero(1))
+    }
+}
+
+/// Zeros whatever the arguments.
+#[derive(Debug)]
+struct Zero(usize);
+
+impl Callable for Zero {
+    fn width(&self) -> usize {
+        self.0
+    }
+
+    fn call(&self, _: &[f64]) -> [f64; 5] {
+        [0.0; 5]
+    }
 }

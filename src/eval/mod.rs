@@ -1,121 +1,265 @@
-//! Tokens to scene.
-#![allow(unused_variables, dead_code)]
+//! Tokens to scene: scopes, directives, macros, expressions.
+//!
+//! The evaluator pulls tokens from a stack of [cursors](cursor) and runs every directive
+//! and macro call it meets on the way, so a block parser sees only what is left: the
+//! scene as it would stand without any directive. One token is held back; the
+//! rule for where a directive waits until the value before it is complete
+//! (language facts, section 15) is the `hold` argument of [`Evaluator::fill`].
+//!
+//! It touches no disk and prints nothing: everything outside comes through [`Host`].
+//!
+//! ```
+//! use whitted::eval::{Memory, NoQueries, Options, evaluate};
+//! let host = Memory::new([("a.pov", "#version 3.7; #debug concat(\"sum \", str(1 + 2, 0, 0))")]);
+//! let read = evaluate("a.pov".as_ref(), &Options::default(), &host, &NoQueries).unwrap();
+//! assert_eq!(read.scene.settings.version, 370);
+//! assert_eq!(host.messages(), "sum 3");
+//! ```
 
+mod arguments;
+mod arrays;
 pub mod blocks;
+mod colors;
+mod conditions;
+mod cursor;
+mod declarations;
+mod directives;
+mod disk;
+mod expressions;
+mod files;
+mod float_functions;
+mod geometry_functions;
 mod host;
+mod includes;
+mod loops;
+mod macros;
+mod messages;
+mod options;
+mod printf;
+mod random;
+mod scope;
+mod strings;
 mod tokens;
+mod transforms;
 mod value;
+mod vector_functions;
+mod vector_lists;
 
-pub use host::{Host, Stream};
+#[cfg(test)]
+mod probes;
+
+pub use disk::Disk;
+pub use host::{Host, Memory, NoQueries, Stream};
+pub use options::{Limits, Options};
 pub use value::{Array, Macro, Number, Value};
 
-use crate::diag::{Diagnostic, SourceResult, Span};
-use crate::math::{Color, DVec2, DVec3, DVec4, Rgb, Transform};
+use crate::diag::{Diagnostic, FileId, SourceMap, SourceResult, Span};
 use crate::scene::{GeometryQueries, Scene};
-use crate::syntax::{Keyword, Token};
-use std::path::PathBuf;
+use crate::syntax::{Names, Position, Source, Token, TokenKind};
+use cursor::{Cursor, Role};
+use directives::Block;
+use files::OpenFile;
+use scope::{Place, Scopes};
+use std::path::Path;
 use std::rc::Rc;
+use std::sync::Arc;
+
+/// A scene that was read, with what was said about it.
+#[derive(Debug)]
+pub struct Evaluated {
+    /// What the file describes.
+    pub scene: Scene,
+    /// Everything worth mentioning.
+    pub warnings: Vec<Diagnostic>,
+    /// The files that were read, to show the warnings.
+    pub sources: SourceMap,
+}
+
+/// Why a scene could not be read.
+#[derive(Debug)]
+pub struct Failed {
+    /// At least one error, and the warnings before it.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The files that were read, to show them.
+    pub sources: SourceMap,
+}
 
 /// Reads a scene.
 pub struct Evaluator<'h> {
     pub(super) scene: Scene,
+    #[allow(dead_code, reason = "read by the block parsers")]
     pub(super) defaults: blocks::Defaults,
     pub(super) host: &'h dyn Host,
     pub(super) queries: &'h (dyn GeometryQueries + Sync),
-    ahead: Option<Token>,
-    warnings: Vec<Diagnostic>,
-    /// Language version in hundredths.
+    pub(super) options: &'h Options,
+    /// Language version in hundredths, as `#version` last set it; 370 at the start.
     pub(super) version: u32,
+    /// Whether a `#version` was met.
+    pub(super) version_given: bool,
+    pub(super) names: Names,
+    sources: SourceMap,
+    scopes: Scopes,
+    cursors: Vec<Cursor>,
+    open_blocks: Vec<Block>,
+    /// The token held back, and whether directives and macros in front of it are done.
+    ahead: Option<Token>,
+    ready: bool,
+    /// Components of the last literal vector that was fetched.
+    literal: ([f64; 5], u8),
+    last_span: Span,
+    /// Inside a declared value or an argument, outside any bracket.
+    bare: bool,
+    /// Parentheses around the current expression (for version 1.0).
+    parentheses: usize,
+    nesting: usize,
+    include_depth: usize,
+    macro_depth: usize,
+    steps: u64,
+    /// A `#switch` that waits for its first `#case`.
+    case_wanted: bool,
+    random: random::Streams,
+    files: Vec<Option<OpenFile>>,
+    warnings: Vec<Diagnostic>,
+    warned: rustc_hash::FxHashSet<(&'static str, u64)>,
+    /// `utf8` strings, from a byte order mark or `charset`.
+    pub(super) utf8: bool,
 }
 
-#[allow(missing_docs, dead_code, unused_variables, clippy::missing_errors_doc)]
-impl Evaluator<'_> {
-    pub fn declared(&mut self) -> SourceResult<Option<Value>> {
-        self.expected("x")
+/// Reads the scene in `path` and everything it includes.
+///
+/// Runs on a thread of its own with a large stack, since blocks may nest deeply.
+///
+/// # Errors
+/// What is wrong with the scene, with the files needed to show it.
+pub fn evaluate(
+    path: &Path,
+    options: &Options,
+    host: &dyn Host,
+    queries: &(dyn GeometryQueries + Sync),
+) -> Result<Evaluated, Box<Failed>> {
+    /// Address space, of which only what is used costs anything.
+    const STACK: usize = 256 << 20;
+    let work = || Evaluator::new(options, host, queries).run(path);
+    std::thread::scope(|scope| {
+        let worker = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work);
+        match worker.map(std::thread::ScopedJoinHandle::join) {
+            Ok(Ok(result)) => result,
+            Ok(Err(panic)) => std::panic::resume_unwind(panic),
+            Err(_) => work(),
+        }
+    })
+}
+
+impl<'h> Evaluator<'h> {
+    fn new(options: &'h Options, host: &'h dyn Host, queries: &'h (dyn GeometryQueries + Sync)) -> Self {
+        Self {
+            scene: Scene::default(),
+            defaults: blocks::Defaults::default(),
+            host,
+            queries,
+            options,
+            version: 370,
+            version_given: false,
+            names: Names::default(),
+            sources: SourceMap::default(),
+            scopes: Scopes::default(),
+            cursors: Vec::new(),
+            open_blocks: Vec::new(),
+            ahead: None,
+            ready: false,
+            literal: ([0.0; 5], 0),
+            last_span: Span::default(),
+            bare: false,
+            parentheses: 0,
+            nesting: 0,
+            include_depth: 0,
+            macro_depth: 0,
+            steps: 0,
+            case_wanted: false,
+            random: random::Streams::default(),
+            files: Vec::new(),
+            warnings: Vec::new(),
+            warned: rustc_hash::FxHashSet::default(),
+            utf8: false,
+        }
     }
-    pub fn take_declared<T>(&mut self, pick: impl Fn(&Value) -> Option<T>) -> SourceResult<Option<T>> {
-        self.expected("x")
+
+    fn run(mut self, path: &Path) -> Result<Evaluated, Box<Failed>> {
+        match self.read_scene(path) {
+            Ok(()) => Ok(Evaluated { scene: self.scene, warnings: self.warnings, sources: self.sources }),
+            Err(mut errors) => {
+                let mut diagnostics = self.warnings;
+                diagnostics.append(&mut errors);
+                Err(Box::new(Failed { diagnostics, sources: self.sources }))
+            }
+        }
     }
-    pub fn starts_expression(&mut self) -> SourceResult<bool> {
-        self.expected("x")
+
+    fn read_scene(&mut self, path: &Path) -> SourceResult<()> {
+        let text = self.host.read(path).map_err(|e| {
+            let mut diagnostic = Diagnostic::error(Span::default(), format!("cannot read {}: {e}", path.display()));
+            diagnostic.span = None;
+            vec![diagnostic]
+        })?;
+        self.utf8 = text.starts_with(b"\xef\xbb\xbf");
+        let source = self.take_in(path, text)?;
+        self.declare_given(path);
+        self.cursors.push(Cursor::new(source, (Position::default(), None), Role::Main));
+        loop {
+            let token = *self.peek()?;
+            if token.kind == TokenKind::End {
+                break;
+            }
+            if !self.hashless_directive()? && !self.scene_item()? {
+                return self.expected("an object, a block or a directive");
+            }
+            if self.scene.objects.len() > self.options.limits.objects {
+                let limit = self.options.limits.objects;
+                return self.limit(token.span, format!("more than {limit} objects"), "objects");
+            }
+        }
+        self.finish();
+        Ok(())
     }
-    pub fn float(&mut self) -> SourceResult<f64> {
-        self.expected("x")
+
+    /// What holds for the scene as a whole once all of it is read.
+    fn finish(&mut self) {
+        if self.version_given {
+            self.scene.settings.version = self.version;
+        } else {
+            self.warn_once(
+                "version",
+                Span::default(),
+                "this scene has no #version, so rules from before version 3.7 hold; start it with '#version 3.7;'",
+            );
+        }
     }
-    pub fn integer(&mut self) -> SourceResult<i64> {
-        self.expected("x")
+
+    /// Registers the text of a file.
+    fn take_in(&mut self, path: &Path, text: Vec<u8>) -> SourceResult<Rc<Source>> {
+        let too_long = u32::try_from(text.len()).is_err();
+        let text = Arc::new(text);
+        let file: FileId = self.sources.add(path.display().to_string(), Arc::clone(&text));
+        if too_long {
+            return self.error(Span { file, start: 0, end: 0 }, "files above four gigabytes cannot be read");
+        }
+        Ok(Rc::new(Source::new(file, text)))
     }
-    pub fn vector2(&mut self) -> SourceResult<DVec2> {
-        self.expected("x")
-    }
-    pub fn vector(&mut self) -> SourceResult<DVec3> {
-        self.expected("x")
-    }
-    pub fn vector4(&mut self) -> SourceResult<DVec4> {
-        self.expected("x")
-    }
-    /// Any number of components, as a declaration takes it.
-    pub fn any_expression(&mut self) -> SourceResult<Number> {
-        self.expected("x")
-    }
-    pub fn starts_color(&mut self) -> SourceResult<bool> {
-        self.expected("x")
-    }
-    pub fn color(&mut self) -> SourceResult<Color> {
-        self.expected("x")
-    }
-    pub fn rgb_only(&mut self, what: &str) -> SourceResult<Rgb> {
-        self.expected("x")
-    }
-    pub fn starts_string(&mut self) -> SourceResult<bool> {
-        self.expected("x")
-    }
-    pub fn string(&mut self) -> SourceResult<Rc<str>> {
-        self.expected("x")
-    }
-    /// A string in which a backslash is itself: file names.
-    pub fn file_name(&mut self) -> SourceResult<Rc<str>> {
-        self.expected("x")
-    }
-    pub fn optional_bool(&mut self) -> SourceResult<bool> {
-        self.expected("x")
-    }
-    pub fn vector_list(&mut self, n: usize) -> SourceResult<Vec<DVec3>> {
-        self.expected("x")
-    }
-    pub fn vector2_list(&mut self, n: usize) -> SourceResult<Vec<DVec2>> {
-        self.expected("x")
-    }
-    pub fn transformation(&mut self) -> SourceResult<Option<Transform>> {
-        self.expected("x")
-    }
-    /// The items of `transform { … }`, after its keyword.
-    pub fn transform_block(&mut self) -> SourceResult<Transform> {
-        self.expected("x")
-    }
-    pub fn error<T>(&self, span: Span, message: impl Into<String>) -> SourceResult<T> {
-        Err(vec![Diagnostic::error(span, message)])
-    }
-    /// "expected WHAT, found …" at the peeked token.
-    pub fn expected<T>(&mut self, what: &str) -> SourceResult<T> {
-        let span = self.span();
-        self.error(span, format!("expected {what}"))
-    }
-    pub fn warn(&mut self, span: Span, message: impl Into<String>) {
-        self.warnings.push(Diagnostic::warning(span, message));
-    }
-    pub fn warn_once(&mut self, key: &'static str, span: Span, message: impl Into<String>) {
-        self.warnings.push(Diagnostic::warning(span, message));
-    }
-    /// Where the peeked token stands.
-    pub fn span(&mut self) -> Span {
-        Span::default()
-    }
-    /// Search path of the language facts, section 12.
-    pub fn find_file(&mut self, name: &str, extensions: &[&str]) -> Option<PathBuf> {
-        None
-    }
-    pub fn keyword(&mut self) -> SourceResult<Option<Keyword>> {
-        self.expected("x")
+
+    /// Declares what exists before the first line: image size, frame numbers, `Declare=`.
+    fn declare_given(&mut self, path: &Path) {
+        let o = self.options;
+        let frames = ["initial_frame", "final_frame", "frame_number", "initial_clock", "final_clock", "clock_delta"];
+        let mut floats: Vec<(&str, f64)> = frames.into_iter().zip(o.animation).collect();
+        floats.push(("image_width", f64::from(o.image_width)));
+        floats.push(("image_height", f64::from(o.image_height)));
+        floats.extend(o.declarations.iter().map(|(name, value)| (name.as_str(), *value)));
+        for (name, value) in floats {
+            let symbol = self.names.intern(name);
+            self.scopes.bind(Scopes::GLOBAL, symbol, Place::new(Value::Float(value)));
+        }
+        let symbol = self.names.intern("input_file_name");
+        let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+        self.scopes.bind(Scopes::GLOBAL, symbol, Place::new(Value::String(name.into())));
     }
 }

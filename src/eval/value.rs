@@ -4,7 +4,7 @@ use super::blocks;
 use crate::function::{Function, Spline};
 use crate::math::{Color, DVec3, Transform};
 use crate::scene::{self, MapEntry};
-use crate::syntax::Symbol;
+use crate::syntax::{Position, Source, Symbol};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -60,9 +60,9 @@ pub enum Value {
     Array(Rc<Array>),
     Function(Arc<Function>),
     Spline(Arc<Spline>),
-    Transform(Transform),
+    Transform(Rc<Transform>),
     Object(Arc<scene::Object>),
-    Camera(Arc<blocks::CameraValue>),
+    Camera(Arc<blocks::CameraStatement>),
     Texture(Arc<scene::Texture>),
     Pigment(Arc<scene::Pigment>),
     Normal(Arc<scene::Normal>),
@@ -151,6 +151,16 @@ pub struct Array {
     pub elements: Vec<Option<Value>>,
 }
 
+impl Array {
+    /// Any element that is set, looked for in nested arrays too: all are of one type.
+    pub fn sample(&self) -> Option<&Value> {
+        match self.elements.iter().flatten().next()? {
+            Value::Array(inner) => inner.sample(),
+            value => Some(value),
+        }
+    }
+}
+
 /// A macro: its parameters and where its body stands.
 #[derive(Debug)]
 pub struct Macro {
@@ -158,4 +168,10 @@ pub struct Macro {
     pub name: Symbol,
     /// Names of the parameters.
     pub parameters: Vec<Symbol>,
+    /// The file that holds the body.
+    pub source: Rc<Source>,
+    /// First token of the body.
+    pub start: Position,
+    /// The `#end` behind it.
+    pub end: Position,
 }

@@ -320,14 +320,11 @@ impl ProgramBuilder {
 
     fn push(&mut self, key: Option<Key>, op: Op) -> Slot {
         let slot = self.ops.len() as Slot;
-        match key {
-            Some(key) => match self.known.entry(key) {
-                std::collections::hash_map::Entry::Occupied(e) => return *e.get(),
-                std::collections::hash_map::Entry::Vacant(e) => {
-                    e.insert(slot);
-                }
-            },
-            None => {}
+        if let Some(key) = key {
+            let known = *self.known.entry(key).or_insert(slot);
+            if known != slot {
+                return known;
+            }
         }
         self.ops.push(op);
         slot

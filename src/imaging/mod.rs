@@ -11,6 +11,7 @@
 //! ```
 
 mod atomic;
+mod decode;
 mod error;
 mod exr_file;
 mod flip;
@@ -21,6 +22,7 @@ mod save;
 mod transfer;
 
 pub use atomic::write_whole;
+pub use decode::{Pixels, decode};
 pub use error::ImageError;
 pub use exr_file::read_exr;
 pub use flip::flip;

@@ -10,6 +10,8 @@
 
 mod bounds;
 mod color;
+pub mod noise;
+mod noise_table;
 mod ray;
 mod transform;
 

@@ -150,4 +150,8 @@ pub trait GeometryQueries {
     fn pigment_function(&self, pigment: &Arc<super::Pigment>) -> Arc<dyn crate::function::Callable>;
     /// Makes a pattern callable: one value at (x, y, z).
     fn pattern_function(&self, pattern: &Arc<super::Pattern>) -> Arc<dyn crate::function::Callable>;
+    /// Pixels across and down of the picture a pigment shows, if it shows one.
+    fn image_size(&self, _pigment: &Arc<super::Pigment>) -> Option<[u32; 2]> {
+        None
+    }
 }

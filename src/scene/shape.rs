@@ -114,6 +114,16 @@ pub enum Shape {
     },
 }
 
+impl Shape {
+    /// The objects that a group is made of; none for anything else.
+    pub fn children(&self) -> &[Arc<Object>] {
+        match self {
+            Self::Csg { children, .. } | Self::LightGroup { children, .. } => children,
+            _ => &[],
+        }
+    }
+}
+
 /// How the children of a CSG object combine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CsgOperation {

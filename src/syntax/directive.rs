@@ -82,4 +82,9 @@ impl Directive {
     pub fn opens_block(self) -> bool {
         matches!(self, Self::If | Self::Ifdef | Self::Ifndef | Self::While | Self::For | Self::Switch | Self::Macro)
     }
+
+    /// Whether it ends the branch of a block it stands in.
+    pub fn ends_branch(self) -> bool {
+        matches!(self, Self::Else | Self::Elseif | Self::Case | Self::Range | Self::End)
+    }
 }

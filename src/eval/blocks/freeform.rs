@@ -224,7 +224,7 @@ impl Evaluator<'_> {
         if n < least {
             return self.error(span, format!("this {what} needs at least {least} points, it has {n}"));
         }
-        if n % unit != 0 {
+        if !n.is_multiple_of(unit) {
             return self.error(span, format!("a bezier_spline {what} needs a multiple of {unit} points, it has {n}"));
         }
         Ok(())

@@ -7,6 +7,7 @@ use super::pattern::no_list;
 use crate::diag::{SourceResult, Span};
 use crate::eval::{Evaluator, Place, Value};
 use crate::function::{Binary, Function, FunctionBody, Internal, Program, ProgramBuilder, Slot, Unary};
+use crate::math::noise::NoiseGenerator;
 use crate::scene::{Pattern, PatternKind, Pigment};
 use crate::syntax::{Keyword as K, Symbol, TokenKind};
 use smallvec::{SmallVec, smallvec};
@@ -120,7 +121,8 @@ impl Evaluator<'_> {
                 self.expect_punct('(', "before the number of an internal function")?;
                 let number = self.float()?;
                 self.expect_punct(')', "to close it")?;
-                let found = (number >= 0.0).then(|| Internal::new(number as u32)).flatten();
+                let generator = self.noise_generator();
+                let found = (number >= 0.0).then(|| Internal::new(number as u32, generator)).flatten();
                 let Some(internal) = found else {
                     return self.error(span, format!("there is no internal function {number}"));
                 };
@@ -289,6 +291,16 @@ impl Evaluator<'_> {
         }
     }
 
+    /// The scene's noise generator as it stands now.
+    fn noise_generator(&self) -> NoiseGenerator {
+        match self.scene.settings.noise_generator {
+            Some(1) => NoiseGenerator::Original,
+            Some(3) => NoiseGenerator::Perlin,
+            None if self.version < 350 => NoiseGenerator::Original,
+            _ => NoiseGenerator::Corrected,
+        }
+    }
+
     /// What a name stands for.
     fn meaning(&self, name: Symbol) -> Option<Value> {
         self.scopes.find(name).and_then(Place::get)
@@ -420,7 +432,7 @@ impl Evaluator<'_> {
             return Ok(body.builder.call(function, arguments, 0));
         }
         self.expect_punct('.', "and which of the returned numbers is meant")?;
-        let mut component = |body: &mut Body, i: u8| body.builder.call(function, arguments.clone(), i);
+        let component = |body: &mut Body, i: u8| body.builder.call(function, arguments.clone(), i);
         let token = self.next()?;
         let member = match token.kind {
             TokenKind::Keyword(k) => match k {

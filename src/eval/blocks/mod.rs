@@ -21,6 +21,7 @@ mod pattern;
 mod pigment;
 mod settings;
 mod shape;
+mod spline;
 mod texture;
 
 pub use camera::CameraStatement;
@@ -39,7 +40,7 @@ impl Evaluator<'_> {
     pub(in crate::eval) fn scene_item(&mut self) -> SourceResult<bool> {
         let span = self.span();
         if let Some(object) = self.object()? {
-            self.place(object);
+            self.add_to_scene(object);
             return Ok(true);
         }
         let Some(keyword) = self.keyword()? else { return Ok(false) };
@@ -90,7 +91,7 @@ impl Evaluator<'_> {
     }
 
     /// Puts an object into the scene, with the default texture in force now.
-    fn place(&mut self, object: Arc<crate::scene::Object>) {
+    fn add_to_scene(&mut self, object: Arc<crate::scene::Object>) {
         self.scene.objects.push(object);
         let texture = self.defaults.texture();
         self.scene.default_textures.push(texture);
@@ -99,7 +100,15 @@ impl Evaluator<'_> {
     /// The value of a declaration or macro argument that starts with a block keyword.
     pub(in crate::eval) fn declared_block(&mut self, keyword: K) -> SourceResult<Option<Value>> {
         let value = match keyword {
-            K::Texture => return Ok(Some(Value::Texture(Arc::new(self.layered_textures()?)))),
+            K::Texture => Value::Texture(Arc::new(self.layered_textures()?)),
+            K::Function => {
+                self.next()?;
+                Value::Function(self.function_block()?)
+            }
+            K::Spline => {
+                self.next()?;
+                Value::Spline(self.spline_block()?)
+            }
             K::Camera
             | K::Pigment
             | K::Normal

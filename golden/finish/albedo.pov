@@ -1,0 +1,19 @@
+// albedo for phong, specular and diffuse: the highlight's whole power, not its peak.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+
+camera { location <0, 0, -8> look_at 0 angle 40 }
+light_source { <-5, 6, -8> rgb <1, 0.95, 0.9> }
+background { rgb <0.4, 0.5, 0.7> }
+plane { y, -2.2 pigment { checker rgb 0.9 rgb 0.2 translate 0.1 } }
+#declare N = 0;
+#macro Next() translate <mod(N, 3) * 2 - 2, 1 - 2 * int(N / 3), 0> #declare N = N + 1; #end
+#macro Ball(F) sphere { 0, 0.9 pigment { rgb <0.7, 0.4, 0.3> } finish { F } Next() } #end
+#macro Bead(M) sphere { 0, 0.9 material { M } Next() } #end
+
+Ball(finish { phong albedo 0.4 phong_size 10 })
+Ball(finish { phong albedo 0.4 phong_size 60 })
+Ball(finish { specular albedo 0.3 roughness 0.1 })
+Ball(finish { specular albedo 0.3 roughness 0.01 })
+Ball(finish { diffuse albedo 0.8 brilliance 4 })
+Ball(finish { diffuse albedo 0.5 brilliance 0.5 specular albedo 0.2 })

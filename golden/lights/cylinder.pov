@@ -1,0 +1,13 @@
+// cylinder light: parallel beam with a soft edge, tightness, and one without a soft edge.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+
+camera { location <0, 4.5, -7> look_at <0, 0.2, 0.3> angle 44 }
+plane { y, 0 pigment { rgb 0.85 } }
+sphere { <-1.2, 0.5, 0.4>, 0.5 pigment { rgb <0.9, 0.8, 0.7> } finish { phong 0.5 } }
+cylinder { <0.1, 0, 0.2>, <0.1, 1, 0.2>, 0.25 pigment { rgb <0.8, 0.5, 0.3> } }
+box { <1.1, 0, 0>, <1.8, 0.8, 0.8> pigment { rgb <0.5, 0.6, 0.8> } }
+
+light_source { <-2.4, 3, -1> rgb <1, 0.7, 0.5> cylinder point_at <-2.2, 0, 0.2> radius 0.5 falloff 1 tightness 0 }
+light_source { <0.2, 3, -1> rgb <0.5, 1, 0.5> cylinder point_at <0.2, 0, 0.2> radius 0.6 falloff 1.1 tightness 2 }
+light_source { <2.4, 3, -1> rgb <0.5, 0.7, 1> cylinder point_at <2.4, 0, 0.4> radius 0 falloff 0.8 tightness 1 }

@@ -1,0 +1,21 @@
+// light_group: lights that reach only their own objects, with and without global_lights.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+
+camera { location <0, 4.5, -7> look_at <0, 0.2, 0.3> angle 44 }
+plane { y, 0 pigment { rgb 0.85 } }
+sphere { <-1.2, 0.5, 0.4>, 0.5 pigment { rgb <0.9, 0.8, 0.7> } finish { phong 0.5 } }
+cylinder { <0.1, 0, 0.2>, <0.1, 1, 0.2>, 0.25 pigment { rgb <0.8, 0.5, 0.3> } }
+box { <1.1, 0, 0>, <1.8, 0.8, 0.8> pigment { rgb <0.5, 0.6, 0.8> } }
+
+light_source { <0, 5, -6> rgb 0.35 }
+light_group {
+  light_source { <-3, 4, -3> rgb <1, 0.3, 0.2> }
+  sphere { <-1.2, 0.3, -1.2>, 0.3 pigment { rgb 0.9 } }
+  global_lights off
+}
+light_group {
+  light_source { <3, 4, -3> rgb <0.2, 0.5, 1> }
+  sphere { <1, 0.3, -1.2>, 0.3 pigment { rgb 0.9 } finish { phong 0.8 } }
+  global_lights on
+}

@@ -1,0 +1,12 @@
+// shadowless beside an ordinary light: no shadow, no highlight.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+
+camera { location <0, 4.5, -7> look_at <0, 0.2, 0.3> angle 44 }
+plane { y, 0 pigment { rgb 0.85 } }
+sphere { <-1.2, 0.5, 0.4>, 0.5 pigment { rgb <0.9, 0.8, 0.7> } finish { phong 0.5 } }
+cylinder { <0.1, 0, 0.2>, <0.1, 1, 0.2>, 0.25 pigment { rgb <0.8, 0.5, 0.3> } }
+box { <1.1, 0, 0>, <1.8, 0.8, 0.8> pigment { rgb <0.5, 0.6, 0.8> } }
+
+light_source { <-4, 5, -3> rgb <0.7, 0.6, 0.4> shadowless }
+light_source { <3, 5, -3> rgb <0.3, 0.4, 0.7> }

@@ -1,0 +1,39 @@
+//! Finishes: what does not depend on the place is worked out once.
+
+use crate::compiled::texture::{Finish, Reflection};
+use crate::scene::{self, Settings};
+
+pub(super) fn compile(finish: &scene::Finish, settings: &Settings) -> Finish {
+    let mirror = finish.reflection_max != crate::math::Rgb::ZERO || finish.reflection_min != crate::math::Rgb::ZERO;
+    Finish {
+        own_light: finish.ambient * settings.ambient_light + finish.emission,
+        diffuse: finish.diffuse,
+        diffuse_back: finish.diffuse_back,
+        brilliance: f64::from(finish.brilliance),
+        crand: finish.crand,
+        phong: finish.phong,
+        phong_size: f64::from(finish.phong_size),
+        specular: finish.specular,
+        specular_exponent: f64::from(finish.specular_exponent),
+        metallic: finish.metallic,
+        irid_amount: f64::from(finish.irid_amount),
+        irid_thickness: f64::from(finish.irid_thickness),
+        irid_turbulence: f64::from(finish.irid_turbulence),
+        reflection: mirror.then(|| Reflection {
+            min: finish.reflection_min,
+            max: finish.reflection_max,
+            fresnel: finish.reflection_fresnel,
+            falloff: f64::from(finish.reflection_falloff),
+            exponent: finish.reflection_exponent,
+            metallic: finish.reflection_metallic,
+        }),
+        conserve_energy: finish.conserve_energy,
+        ior: finish.ior.map(f64::from),
+        caustics: finish.caustics.map(f64::from),
+        refraction: finish.refraction,
+        uses_lights: finish.diffuse != 0.0
+            || finish.diffuse_back != 0.0
+            || finish.specular != 0.0
+            || finish.phong != 0.0,
+    }
+}

@@ -1,0 +1,119 @@
+//! From scene textures to compiled ones: constants folded, identities dropped, pictures loaded once.
+//!
+//! Messages carry no place here; the caller knows which object asked.
+
+mod default_map;
+mod finish;
+mod normal;
+mod pattern;
+mod picture;
+
+use crate::compiled::texture::{Blend, Layer, PatternedTexture, Pigment, Texture};
+use crate::math::Color;
+use crate::scene::{self, PigmentKind, Settings};
+use picture::PictureCache;
+
+/// Why a texture cannot be compiled, in one sentence without a full stop.
+pub type Refusal = String;
+
+/// Compiles textures of one scene; pictures are loaded once however often they are named.
+#[derive(Debug)]
+pub struct TextureCompiler<'s> {
+    settings: &'s Settings,
+    pictures: PictureCache,
+}
+
+impl<'s> TextureCompiler<'s> {
+    /// For a scene with these settings.
+    pub fn new(settings: &'s Settings) -> Self {
+        Self { settings, pictures: PictureCache::default() }
+    }
+
+    /// Compiles a texture with everything below it.
+    ///
+    /// # Errors
+    /// A message that names what is unsupported or which file cannot be read.
+    pub fn texture(&mut self, texture: &scene::Texture) -> Result<Texture, Refusal> {
+        Ok(match texture {
+            scene::Texture::Layers(layers) => {
+                Texture::Layers(layers.iter().map(|l| self.layer(l)).collect::<Result<_, _>>()?)
+            }
+            scene::Texture::Patterned(patterned) => {
+                let mut pattern = self.pattern(&patterned.pattern)?;
+                let items = self.blend(&patterned.map, |compiler, t| compiler.texture(t))?;
+                if let crate::compiled::texture::PatternKind::Material(_, _, n) = &mut pattern.kind {
+                    *n = items.iter().count();
+                }
+                Texture::Patterned(Box::new(PatternedTexture {
+                    pattern,
+                    items,
+                    no_bump_scale: patterned.no_bump_scale,
+                    uv_mapping: patterned.uv_mapping,
+                }))
+            }
+        })
+    }
+
+    fn layer(&mut self, layer: &scene::TextureLayer) -> Result<Layer, Refusal> {
+        Ok(Layer {
+            pigment: self.pigment(&layer.pigment)?,
+            normal: layer.normal.as_ref().map(|n| self.normal(n)).transpose()?,
+            finish: finish::compile(&layer.finish, self.settings),
+            quick_color: layer.pigment.quick_color,
+        })
+    }
+
+    /// Compiles a pigment by itself, for skies, rainbows and functions.
+    ///
+    /// # Errors
+    /// As [`texture`](Self::texture).
+    pub fn pigment(&mut self, pigment: &scene::Pigment) -> Result<Pigment, Refusal> {
+        let compiled = match &pigment.kind {
+            PigmentKind::Solid(color) => Pigment::Solid(*color),
+            PigmentKind::Colors(pattern, colors) => {
+                let colors = match colors {
+                    scene::Blend::Default => default_map::default_map(&pattern.kind),
+                    scene::Blend::List(list) => default_map::completed(list, &pattern.kind),
+                    named => self.blend(named, |_, c| Ok(*c))?,
+                };
+                match single_color(&colors) {
+                    Some(color) => Pigment::Solid(color),
+                    None => Pigment::Colors(self.pattern(pattern)?, colors),
+                }
+            }
+            PigmentKind::Pigments(pattern, pigments) => {
+                let pigments = self.blend(pigments, |compiler, p| compiler.pigment(p))?;
+                Pigment::Pigments(self.pattern(pattern)?, pigments)
+            }
+            PigmentKind::Image(pattern, image) => {
+                let map = self.image_map(image)?;
+                Pigment::Image(self.pattern(pattern)?, Box::new(map))
+            }
+        };
+        Ok(if pigment.uv_mapping { Pigment::Uv(Box::new(compiled)) } else { compiled })
+    }
+
+    /// Compiles the items of a map, list or average.
+    fn blend<S, T>(
+        &mut self,
+        blend: &scene::Blend<S>,
+        mut item: impl FnMut(&mut Self, &S) -> Result<T, Refusal>,
+    ) -> Result<Blend<T>, Refusal> {
+        let mut entries = |list: &[scene::MapEntry<S>]| -> Result<Vec<(f32, T)>, Refusal> {
+            list.iter().map(|e| Ok((e.value, item(self, &e.item)?))).collect()
+        };
+        let blend = match blend {
+            scene::Blend::Default => return Err("a map is missing".into()),
+            scene::Blend::Map(list) => Blend::map(entries(list)?.into_iter().map(|(v, t)| (f64::from(v), t))),
+            scene::Blend::Average(list) => Blend::average(entries(list)?),
+            scene::Blend::List(list) => Blend::list(list.iter().map(|i| item(self, i)).collect::<Result<Vec<_>, _>>()?),
+        };
+        if blend.iter().next().is_none() { Err("a map without entries".into()) } else { Ok(blend) }
+    }
+}
+
+/// The colour of a map in which all entries agree.
+fn single_color(colors: &Blend<Color>) -> Option<Color> {
+    let first = colors.iter().next().copied()?;
+    colors.iter().all(|c| *c == first).then_some(first)
+}

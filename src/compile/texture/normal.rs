@@ -1,0 +1,56 @@
+//! Normals.
+
+use super::pattern::mapping_of;
+use super::{Refusal, TextureCompiler};
+use crate::compiled::texture::{Blend, Normal, NormalKind};
+use crate::math::DMat3;
+use crate::scene;
+
+impl TextureCompiler<'_> {
+    /// Compiles a normal by itself, for cameras.
+    ///
+    /// # Errors
+    /// As [`texture`](Self::texture).
+    pub fn normal(&mut self, normal: &scene::Normal) -> Result<Normal, Refusal> {
+        let (kind, linear) = match &normal.kind {
+            scene::NormalKind::Pattern(pattern, slopes) => {
+                let pattern = self.pattern(pattern)?;
+                let slopes = slopes.as_ref().filter(|s| !s.is_empty());
+                let slopes = slopes.map(|s| Blend::map(s.iter().map(|e| (f64::from(e.value), e.item.map(f64::from)))));
+                let linear = pattern.linear();
+                (NormalKind::Pattern(pattern, slopes), linear)
+            }
+            scene::NormalKind::Normals(pattern, normals) => {
+                let pattern = self.pattern(pattern)?;
+                let normals = self.blend(normals, |compiler, n| compiler.normal(n))?;
+                let linear = pattern.linear();
+                (NormalKind::Normals(pattern, normals), linear)
+            }
+            scene::NormalKind::BumpMap(pattern, picture) => {
+                let pattern = self.pattern(pattern)?;
+                let raster = self.value_picture(&picture.0)?;
+                let linear = pattern.linear();
+                (NormalKind::BumpMap(pattern, raster, mapping_of(&picture.1)), linear)
+            }
+            scene::NormalKind::Facets { .. } => return Err("the normal `facets` is not supported yet".into()),
+        };
+        let compiled = Normal {
+            kind,
+            amount: f64::from(normal.amount),
+            accuracy: f64::from(normal.accuracy),
+            no_bump_scale: normal.no_bump_scale,
+            pattern_from_outer: linear,
+        };
+        Ok(if normal.uv_mapping {
+            Normal {
+                kind: NormalKind::Uv(Box::new(compiled)),
+                amount: f64::from(normal.amount),
+                accuracy: f64::from(normal.accuracy),
+                no_bump_scale: normal.no_bump_scale,
+                pattern_from_outer: DMat3::IDENTITY,
+            }
+        } else {
+            compiled
+        })
+    }
+}

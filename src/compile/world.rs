@@ -1,0 +1,191 @@
+//! The whole scene: geometry first, then everything that its indices refer to.
+
+use super::geometry::{CompiledGeometry, PlacedLight};
+use super::texture::{Refusal, TextureCompiler};
+use super::{camera, light};
+use crate::compiled::atmosphere::{Atmosphere, Fog, Rainbow, Sky};
+use crate::compiled::interior::{Interior, InteriorFade};
+use crate::compiled::{Group, Settings, Transfer, World};
+use crate::diag::{Diagnostic, SourceResult, Span};
+use crate::math::DVec3;
+use crate::scene::{self, Gamma, Object, Scene, Texture, Working};
+use std::sync::Arc;
+
+/// POV-Ray's own limit below which a distance or width switches a thing off.
+const TINY: f64 = 1e-10;
+
+/// Compiles a scene; warnings come beside the result.
+///
+/// After this no texture, interior or light is missing, no transformation is the identity, and
+/// rendering cannot fail.
+///
+/// # Errors
+/// Everything that is unsupported or wrong, each with its place where one is known.
+pub fn compile(scene: &Scene) -> SourceResult<(World, Vec<Diagnostic>)> {
+    let CompiledGeometry { geometry, textures, interiors, lights, light_groups, mut warnings } =
+        super::geometry::compile(scene)?;
+    let mut errors = Vec::new();
+    let mut compiler = TextureCompiler::new(&scene.settings);
+    let textures: Vec<_> = textures
+        .iter()
+        .filter_map(|t| note(compiler.texture(t), span_of_texture(&scene.objects, t), &mut errors))
+        .collect();
+    let camera = note(camera::camera(&scene.camera, &mut compiler), None, &mut errors);
+    let atmosphere = note(atmosphere(scene, &mut compiler), None, &mut errors);
+    let (lights, n_global_lights, groups) = place_lights(lights, &light_groups, &mut warnings)?;
+    warn_about_media(scene, &interiors, &mut warnings);
+    let (Some(camera), Some(atmosphere), true) = (camera, atmosphere, errors.is_empty()) else {
+        return Err(errors);
+    };
+    let world = World {
+        geometry,
+        opaque: textures.iter().map(crate::compiled::texture::Texture::is_opaque).collect(),
+        textures,
+        interiors: interiors.iter().map(|i| interior(i)).collect(),
+        lights,
+        n_global_lights,
+        groups,
+        camera,
+        atmosphere,
+        settings: settings(&scene.settings),
+    };
+    Ok((world, warnings))
+}
+
+fn note<T>(result: Result<T, Refusal>, span: Option<Span>, errors: &mut Vec<Diagnostic>) -> Option<T> {
+    let refused = |message| Diagnostic { span, ..Diagnostic::error(Span::default(), message) };
+    result.map_err(|message| errors.push(refused(message))).ok()
+}
+
+/// Where a texture's first user stands.
+fn span_of_texture(objects: &[Arc<Object>], texture: &Arc<Texture>) -> Option<Span> {
+    objects.iter().find_map(|object| {
+        let own = [&object.texture, &object.interior_texture].into_iter().flatten();
+        if own.into_iter().any(|placed| Arc::ptr_eq(&placed.texture, texture)) {
+            return Some(object.span);
+        }
+        span_of_texture(object.shape.children(), texture)
+    })
+}
+
+/// Global lights first, then those of each group.
+fn place_lights(
+    placed: Vec<PlacedLight>,
+    groups: &[super::geometry::LightGroup],
+    warnings: &mut Vec<Diagnostic>,
+) -> SourceResult<(Vec<crate::compiled::light::Light>, usize, Vec<Group>)> {
+    let mut lights = Vec::with_capacity(placed.len());
+    let mut add = |members: &mut dyn Iterator<Item = &PlacedLight>| -> SourceResult<std::ops::Range<usize>> {
+        let first = lights.len();
+        for member in members {
+            warnings.extend(light::warnings(member));
+            lights.push(light::light(member)?);
+        }
+        Ok(first..lights.len())
+    };
+    let global = add(&mut placed.iter().filter(|l| l.group.is_none()))?;
+    let mut compiled = Vec::with_capacity(groups.len());
+    for (i, group) in groups.iter().enumerate() {
+        let lights = add(&mut placed.iter().filter(|l| l.group.is_some_and(|g| g.0 as usize == i)))?;
+        compiled.push(Group { lights, global_lights: group.global_lights });
+    }
+    Ok((lights, global.end, compiled))
+}
+
+fn interior(interior: &scene::Interior) -> Interior {
+    let has_ior = interior.ior != 0.0;
+    let fade =
+        InteriorFade { distance: interior.fade_distance, power: interior.fade_power, color: interior.fade_color };
+    Interior {
+        ior: if has_ior { interior.ior } else { 1.0 },
+        dispersion: if has_ior { interior.dispersion } else { 1.0 },
+        dispersion_samples: interior.dispersion_samples,
+        fade: (interior.fade_distance.abs() > TINY).then_some(fade),
+        caustics: interior.caustics * 45.0,
+        refraction: interior.refraction as f32,
+    }
+}
+
+fn settings(settings: &scene::Settings) -> Settings {
+    let transfer = |working| match working {
+        Working::Srgb => Transfer::Srgb,
+        // Powers within 1 % of 1 are the identity, as in POV-Ray.
+        Working::Power(gamma) if (gamma - 1.0).abs() < 0.01 => Transfer::Linear,
+        Working::Power(gamma) => Transfer::Power(gamma),
+    };
+    Settings {
+        max_trace_level: settings.max_trace_level,
+        adc_bailout: settings.adc_bailout as f32,
+        irid_wavelength: settings.irid_wavelength,
+        legacy_opacity: settings.version < 370,
+        transfer: match settings.gamma {
+            Gamma::None => Transfer::Srgb,
+            Gamma::Legacy(working) | Gamma::Linear(working) => transfer(working),
+        },
+    }
+}
+
+fn atmosphere(scene: &Scene, compiler: &mut TextureCompiler<'_>) -> Result<Atmosphere, Refusal> {
+    let sky = match &scene.sky_sphere {
+        None => None,
+        Some(sky) => Some(Sky {
+            pigments: sky.pigments.iter().map(|p| compiler.pigment(p)).collect::<Result<_, _>>()?,
+            emission: sky.emission,
+            sky_from_world: sky.transform.inverse(),
+        }),
+    };
+    let rainbows = scene.rainbows.iter().filter(|r| r.width_deg != 0.0 && r.distance != 0.0);
+    Ok(Atmosphere {
+        background: scene.background,
+        sky,
+        fogs: scene.fogs.iter().filter(|f| f.distance.abs() > TINY).map(fog).collect(),
+        rainbows: rainbows.map(|r| rainbow(r, compiler)).collect::<Result<_, _>>()?,
+    })
+}
+
+fn fog(fog: &scene::Fog) -> Fog {
+    Fog {
+        ground: fog.ground,
+        distance: fog.distance,
+        color: fog.color,
+        offset: fog.offset,
+        altitude: fog.alt,
+        up: fog.up,
+    }
+}
+
+fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Result<Rainbow, Refusal> {
+    let direction = rainbow.direction.normalize_or(DVec3::Z);
+    let right = rainbow.up.cross(direction).normalize_or(DVec3::X);
+    let half = |degrees: Option<f64>| degrees.map(|d| (d * 0.5).to_radians());
+    // Without an arc POV-Ray's limit is 180 in radians: none at all.
+    let arc = half(rainbow.arc_angle_deg).unwrap_or(180.0);
+    Ok(Rainbow {
+        direction,
+        up: direction.cross(right).normalize_or(DVec3::Y),
+        right,
+        angle: rainbow.angle_deg.to_radians(),
+        width: rainbow.width_deg.to_radians(),
+        distance: rainbow.distance,
+        jitter: rainbow.jitter,
+        arc,
+        falloff: half(rainbow.falloff_angle_deg).unwrap_or(arc),
+        pigment: compiler.pigment(&rainbow.pigment)?,
+    })
+}
+
+/// What a Whitted renderer leaves out is said once for each feature.
+fn warn_about_media(scene: &Scene, interiors: &[Arc<scene::Interior>], warnings: &mut Vec<Diagnostic>) {
+    let media = !scene.media.is_empty() || interiors.iter().any(|i| !i.media.is_empty());
+    let turbulent = scene.fogs.iter().any(|f| f.turbulence.is_some());
+    let left_out = [
+        (media, "`media` is not rendered"),
+        (scene.settings.radiosity, "`radiosity` is not rendered"),
+        (scene.settings.photons, "`photons` are not rendered"),
+        (scene.settings.subsurface.is_some(), "`subsurface` light transport is not rendered"),
+        (turbulent, "the turbulence of `fog` is not rendered"),
+    ];
+    for (_, message) in left_out.into_iter().filter(|(present, _)| *present) {
+        warnings.push(Diagnostic { span: None, ..Diagnostic::warning(Span::default(), message) });
+    }
+}

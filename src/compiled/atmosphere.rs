@@ -1,0 +1,70 @@
+//! What a ray meets where it meets nothing, and on its way.
+
+use super::texture::Pigment;
+use crate::math::{Color, DVec3, Rgb, Transform};
+
+/// Background, skies, fogs, rainbows.
+#[derive(Debug, Default)]
+pub struct Atmosphere {
+    /// `background`, if any.
+    pub background: Option<Color>,
+    /// Pigments on an infinite sphere, if any.
+    pub sky: Option<Sky>,
+    /// In file order.
+    pub fogs: Vec<Fog>,
+    /// In file order.
+    pub rainbows: Vec<Rainbow>,
+}
+
+/// `sky_sphere`.
+#[derive(Debug)]
+pub struct Sky {
+    /// Layers, lowest first.
+    pub pigments: Vec<Pigment>,
+    /// Colour factor.
+    pub emission: Rgb,
+    /// Carries unit directions, taken as points.
+    pub sky_from_world: Transform,
+}
+
+/// `fog`.
+#[derive(Clone, Debug)]
+pub struct Fog {
+    /// Density falls off with height.
+    pub ground: bool,
+    /// Way after which 1/e of the light is left; negative brightens.
+    pub distance: f64,
+    /// Colour, and how much light it lets through at least.
+    pub color: Color,
+    /// Height up to which a ground fog is constant.
+    pub offset: f64,
+    /// Height over which it falls to a quarter.
+    pub altitude: f64,
+    /// Unit.
+    pub up: DVec3,
+}
+
+/// `rainbow`; angles in radians.
+#[derive(Debug)]
+pub struct Rainbow {
+    /// Unit direction away from the sun.
+    pub direction: DVec3,
+    /// Unit, perpendicular to `direction`.
+    pub up: DVec3,
+    /// Unit, perpendicular to both.
+    pub right: DVec3,
+    /// Middle of the band.
+    pub angle: f64,
+    /// Width of the band.
+    pub width: f64,
+    /// Strength, as that of a fog.
+    pub distance: f64,
+    /// Random displacement within the band.
+    pub jitter: f64,
+    /// Half of the visible arc.
+    pub arc: f64,
+    /// Half of the arc that does not fade.
+    pub falloff: f64,
+    /// The band's colours over 0..1.
+    pub pigment: Pigment,
+}

@@ -1,0 +1,153 @@
+//! The formulas of patterns that need neither noise nor tables.
+
+use super::{Context, Pattern, PatternKind};
+use crate::math::{DVec3, gray};
+use std::f64::consts::{PI, TAU};
+
+/// POV-Ray's offset that keeps exact borders on the upper cell.
+const CELL_OFFSET: f64 = 1e-10;
+/// Height of a triangle of side 1.
+const TRIANGLE_HEIGHT: f64 = 0.866_025_403_784_438_6;
+
+/// The raw value, before frequency and wave.
+pub(super) fn value(kind: &PatternKind, p: DVec3, context: &Context) -> f64 {
+    match kind {
+        PatternKind::None => 0.0,
+        PatternKind::Boxed => falling(p.abs().max_element()),
+        PatternKind::Brick { size, mortar } => brick(p, *size, *mortar),
+        PatternKind::Checker => checker(p),
+        PatternKind::Cubic => cubic(p),
+        PatternKind::Cylindrical => falling(p.x.hypot(p.z)),
+        PatternKind::Function(f) => wrapped(f.at(p)),
+        PatternKind::Gradient(direction) => wrapped(p.dot(*direction)),
+        PatternKind::Hexagon => hexagon(p.x, p.z),
+        PatternKind::Image(image, mapping) => image.pattern_value(mapping, p),
+        PatternKind::Leopard => ((p.x.sin() + p.y.sin() + p.z.sin()) / 3.0).powi(2),
+        PatternKind::Material(image, mapping, n) => image.material_index(mapping, p, *n) as f64,
+        PatternKind::Onion => p.length() % 1.0,
+        PatternKind::Pigment(pigment) => f64::from(gray(pigment.color_or_clear(p, context).rgb)),
+        PatternKind::Planar => falling(p.y.abs()),
+        PatternKind::Radial => radial(p),
+        PatternKind::Spherical => falling(p.length()),
+        PatternKind::Square => square(p),
+        PatternKind::Triangular => triangular(p.x, p.z),
+    }
+}
+
+impl Pattern {
+    /// The native displacement of a unit normal, for patterns that have one beside their value.
+    pub(super) fn bump(&self, _point: DVec3) -> Option<DVec3> {
+        None
+    }
+}
+
+/// 1 in the middle, 0 from distance 1 on.
+fn falling(distance: f64) -> f64 {
+    if distance <= 1.0 { 1.0 - distance } else { 0.0 }
+}
+
+/// Values above 1 start again; the sign stays.
+fn wrapped(v: f64) -> f64 {
+    if v > 1.0 { v % 1.0 } else { v }
+}
+
+fn checker(p: DVec3) -> f64 {
+    let sum = (p + CELL_OFFSET).floor();
+    (sum.x + sum.y + sum.z).rem_euclid(2.0)
+}
+
+fn square(p: DVec3) -> f64 {
+    let odd = |v: f64| v.floor().rem_euclid(2.0) == 1.0;
+    match (odd(p.x), odd(p.z)) {
+        (false, false) => 0.0,
+        (false, true) => 1.0,
+        (true, true) => 2.0,
+        (true, false) => 3.0,
+    }
+}
+
+/// Index of the dominant direction: +x, +y, +z, -x, -y, -z; the first one wins ties.
+pub(super) fn cubic(p: DVec3) -> f64 {
+    let largest = p.abs().max_element();
+    [p.x, p.y, p.z, -p.x, -p.y, -p.z].iter().position(|v| *v >= largest).unwrap_or(0) as f64
+}
+
+fn radial(p: DVec3) -> f64 {
+    // POV-Ray's own limit for the axis.
+    if p.x.abs() < 0.001 && p.z.abs() < 0.001 { 0.25 } else { 0.25 + (p.x.atan2(p.z) + PI) / TAU }
+}
+
+/// Regular hexagons of side 1 with flat sides towards z, centres (1.5 a, h b) for even a + b.
+fn hexagon(x: f64, z: f64) -> f64 {
+    let first = (x / 1.5).floor();
+    let center = |a: f64| {
+        // The nearest b of the same parity as a.
+        let b = 2.0 * ((z / TRIANGLE_HEIGHT - a) * 0.5).round() + a;
+        ((x - 1.5 * a).powi(2) + (z - TRIANGLE_HEIGHT * b).powi(2), (b - 3.0 * a) * 0.5)
+    };
+    let (near, far) = (center(first), center(first + 1.0));
+    let index = if near.0 <= far.0 { near.1 } else { far.1 };
+    index.rem_euclid(3.0)
+}
+
+/// Triangles of side 1, six colours; period 3 in x, twice the height in z.
+fn triangular(x: f64, z: f64) -> f64 {
+    let z = z.rem_euclid(2.0 * TRIANGLE_HEIGHT);
+    let upper = z >= TRIANGLE_HEIGHT;
+    let z = if upper { 2.0 * TRIANGLE_HEIGHT - z } else { z };
+    let slant = z * 0.5 / TRIANGLE_HEIGHT;
+    let a = (x - slant).floor();
+    let index = if x + slant <= a + 1.0 { -2.0 * a } else { 1.0 + 2.0 * (a + 1.0) };
+    let index = index.rem_euclid(6.0);
+    if upper { 5.0 - index } else { index }
+}
+
+/// 0 in the mortar, 1 in a brick.
+fn brick(p: DVec3, size: DVec3, mortar: f64) -> f64 {
+    let q = (p + mortar + CELL_OFFSET) / size;
+    let limit = DVec3::splat(mortar) / size;
+    let fraction = |v: f64| v - v.floor();
+    let in_mortar = |x: f64, z: f64| fraction(x) <= limit.x || fraction(z) <= limit.z;
+    let even_course = fraction(q.y * 0.5) <= 0.5;
+    let mortar_here =
+        fraction(q.y) <= limit.y || if even_course { in_mortar(q.x, q.z + 0.5) } else { in_mortar(q.x + 0.5, q.z) };
+    if mortar_here { 0.0 } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(kind: PatternKind, points: &[([f64; 3], f64)]) {
+        for (p, expected) in points {
+            let found = value(&kind, DVec3::from(*p), &Context::default());
+            assert!((found - expected).abs() < 1e-9, "{kind:?} at {p:?}: {found} instead of {expected}");
+        }
+    }
+
+    #[test]
+    fn block_borders_lie_where_povray_puts_them() {
+        let edge = 1.0 - 1e-11;
+        let checker =
+            [([0.5; 3], 0.0), ([-0.5, 0.5, 0.5], 1.0), ([edge, 0.5, 0.5], 1.0), ([1.0 - 1e-9, 0.5, 0.5], 0.0)];
+        check(PatternKind::Checker, &checker);
+        let brick = PatternKind::Brick { size: DVec3::new(8.0, 3.0, 4.5), mortar: f64::from((0.5 - 2e-10) as f32) };
+        let bricks = [
+            ([-0.5, 0.1, 0.1], 0.0),
+            ([0.0, -0.5, 0.0], 0.0),
+            ([0.0; 3], 1.0),
+            ([0.0, 2.5, 0.0], 0.0),
+            ([0.0, 2.499, 0.0], 1.0),
+        ];
+        check(brick, &bricks);
+        check(PatternKind::Radial, &[([0.0, 0.0, 1.0], 0.75), ([1.0, 0.0, 0.0], 1.0), ([-1.0, 0.0, 0.0], 0.5)]);
+        check(PatternKind::Square, &[([0.5, 0.0, 0.5], 0.0), ([0.5, 0.0, 1.5], 1.0), ([1.5, 0.0, 0.5], 3.0)]);
+        check(PatternKind::Cubic, &[([1.0, 1.0, 0.0], 0.0), ([0.0, -2.0, 1.0], 4.0)]);
+    }
+
+    #[test]
+    fn tilings_of_the_plane_follow_their_rules() {
+        check(PatternKind::Hexagon, &[([0.0; 3], 0.0), ([1.5, 0.0, TRIANGLE_HEIGHT], 2.0)]);
+        check(PatternKind::Triangular, &[([0.5, 0.0, 0.1], 0.0), ([1.5, 0.0, 0.1], 4.0), ([1.0, 0.0, 0.1], 3.0)]);
+    }
+}

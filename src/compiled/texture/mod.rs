@@ -1,0 +1,85 @@
+//! Textures as rays meet them: constants folded, transformations inverted once.
+//!
+//! A [`Texture`] is a stack of plain layers or a [`Pattern`] over other textures. A pattern
+//! first carries a point through its warps into the space of its formula, then gives a value;
+//! a [`Blend`] turns the value into one item or two neighbours and a share. Nothing here
+//! allocates while rendering.
+//!
+//! ```
+//! use whitted::compiled::texture::{Context, Pattern, PatternKind};
+//! use whitted::math::DVec3;
+//! let onion = Pattern::of(PatternKind::Onion);
+//! assert_eq!(onion.value(DVec3::new(0.0, 2.25, 0.0), &Context::default()), 0.25);
+//! ```
+
+mod blend;
+mod finish;
+mod formula;
+mod image;
+mod normal;
+mod pattern;
+mod pigment;
+mod warp;
+
+pub use self::image::{ImageMap, MapType, Mapping, Raster};
+pub use blend::{Blend, Pick};
+pub use finish::{Finish, Reflection};
+pub use normal::{Frame, Normal, NormalKind, SlopeEntry};
+pub use pattern::{Context, Pattern, PatternKind, Wave};
+pub use pigment::Pigment;
+pub use warp::Warp;
+
+/// What a surface looks like.
+#[derive(Debug)]
+pub enum Texture {
+    /// Plain layers, lowest first.
+    Layers(Vec<Layer>),
+    /// Chosen or mixed by a pattern.
+    Patterned(Box<PatternedTexture>),
+}
+
+/// A pigment, a normal and a finish.
+#[derive(Debug)]
+pub struct Layer {
+    /// Colour.
+    pub pigment: Pigment,
+    /// Bumps.
+    pub normal: Option<Normal>,
+    /// Response to light.
+    pub finish: Finish,
+    /// The colour at quality 5 and below, where it differs from the pigment's.
+    pub quick_color: Option<crate::math::Color>,
+}
+
+/// Textures under a pattern.
+#[derive(Debug)]
+pub struct PatternedTexture {
+    /// Decides where.
+    pub pattern: Pattern,
+    /// What to choose from.
+    pub items: Blend<Texture>,
+    /// Bumps keep their depth when the pattern is scaled.
+    pub no_bump_scale: bool,
+    /// Items are looked up at (u, v, 0).
+    pub uv_mapping: bool,
+}
+
+impl Texture {
+    /// Whether no light comes through anywhere, so that a shadow ray ends here.
+    pub fn is_opaque(&self) -> bool {
+        match self {
+            Self::Layers(layers) => {
+                layers.iter().any(|l| l.pigment.is_opaque() && l.quick_color.is_none_or(|c| c.opacity() == 1.0))
+            }
+            Self::Patterned(p) => p.items.iter().all(Self::is_opaque),
+        }
+    }
+
+    /// The uppermost layer, if this is a plain texture.
+    pub fn top_layer(&self) -> Option<&Layer> {
+        match self {
+            Self::Layers(layers) => layers.last(),
+            Self::Patterned(_) => None,
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! A pattern: how a point is moved, its formula, and the wave over the value.
+
+use super::{Blend, Mapping, Pigment, Raster, Warp, formula};
+use crate::function::Function;
+use crate::math::{DVec2, DVec3};
+use std::sync::Arc;
+
+/// A value for each point.
+#[derive(Clone, Debug)]
+pub struct Pattern {
+    /// The formula.
+    pub kind: PatternKind,
+    /// Steps of the lookup point, in the order in which it passes them.
+    pub warps: Box<[Warp]>,
+    /// Shape of the value over one period.
+    pub wave: Wave,
+    /// Multiplies the value; 0 leaves it as it is.
+    pub frequency: f64,
+    /// Added to the value.
+    pub phase: f64,
+}
+
+/// The value's shape over one period.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub enum Wave {
+    #[default]
+    Ramp,
+    Triangle,
+    Sine,
+    Scallop,
+    Cubic,
+    Poly(f64),
+}
+
+/// The formulas; constants are folded in.
+#[derive(Clone, Debug, Default)]
+#[allow(missing_docs)]
+pub enum PatternKind {
+    /// Only carries warps; the value is 0.
+    #[default]
+    None,
+    Boxed,
+    Brick {
+        size: DVec3,
+        mortar: f64,
+    },
+    Checker,
+    Cubic,
+    Cylindrical,
+    Function(Arc<Function>),
+    /// Unit direction.
+    Gradient(DVec3),
+    Hexagon,
+    /// `image_pattern`.
+    Image(Arc<Raster>, Mapping),
+    Leopard,
+    /// `material_map` with its number of textures.
+    Material(Arc<Raster>, Mapping, usize),
+    Onion,
+    Pigment(Arc<Pigment>),
+    Planar,
+    Radial,
+    Spherical,
+    Square,
+    Triangular,
+}
+
+/// What a pattern may ask about beside the point: where on which surface, seen from where.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Context {
+    /// Surface coordinates.
+    pub uv: DVec2,
+    /// Unit geometric normal in world space, on the side of the ray.
+    pub normal: DVec3,
+    /// Unit perturbed normal in world space, where there is one already.
+    pub perturbed_normal: DVec3,
+    /// Unit direction of the ray.
+    pub direction: DVec3,
+    /// World position.
+    pub point: DVec3,
+}
+
+impl Context {
+    /// A lookup at (u, v, 0).
+    pub fn uv_point(&self) -> DVec3 {
+        self.uv.extend(0.0)
+    }
+}
+
+impl Pattern {
+    /// The bare formula: no warps, ramp wave, frequency 1.
+    pub fn of(kind: PatternKind) -> Self {
+        Self { kind, warps: Box::default(), wave: Wave::Ramp, frequency: 1.0, phase: 0.0 }
+    }
+
+    /// Carries a point from the space that contains the pattern to that of the formula.
+    pub fn warp(&self, point: DVec3) -> DVec3 {
+        let moved = self.warps.iter().fold(point, |p, warp| warp.apply(p));
+        // POV-Ray's own limit.
+        moved.clamp(DVec3::splat(-1e17), DVec3::splat(1e17))
+    }
+
+    /// The value at a point of the containing space.
+    pub fn value(&self, point: DVec3, context: &Context) -> f64 {
+        self.value_at_warped(self.warp(point), context)
+    }
+
+    /// The value at a point that [`warp`](Self::warp) gave.
+    pub fn value_at_warped(&self, point: DVec3, context: &Context) -> f64 {
+        let raw = formula::value(&self.kind, point, context);
+        shape(raw, self.frequency, self.phase, self.wave)
+    }
+
+    /// The value and the warped point, at which the items of a map are looked up.
+    pub fn lookup(&self, point: DVec3, context: &Context) -> (f64, DVec3) {
+        let warped = self.warp(point);
+        (self.value_at_warped(warped, context), warped)
+    }
+
+    /// What stands at a point, and the warped point.
+    pub fn pick<'a, T>(&self, items: &'a Blend<T>, point: DVec3, context: &Context) -> (super::Pick<'a, T>, DVec3) {
+        let warped = self.warp(point);
+        let value = if let Blend::Average(_) = items { 0.0 } else { self.value_at_warped(warped, context) };
+        (items.pick(value), warped)
+    }
+}
+
+/// Frequency, phase and wave, as in section 2 of the pattern facts; the odd modulus is measured.
+fn shape(raw: f64, frequency: f64, phase: f64, wave: Wave) -> f64 {
+    let mut v = if frequency == 0.0 { raw } else { (raw * frequency + phase) % 1.000_01 };
+    if v < 0.0 {
+        v -= v.floor();
+    }
+    match wave {
+        Wave::Ramp => v,
+        Wave::Triangle => 1.0 - (2.0 * (v - v.floor()) - 1.0).abs(),
+        Wave::Sine => (1.0 + (std::f64::consts::TAU * v).sin()) * 0.5,
+        Wave::Scallop => (std::f64::consts::PI * v).sin().abs(),
+        Wave::Cubic => v * v * (3.0 - 2.0 * v),
+        Wave::Poly(exponent) => v.powf(exponent),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(pattern: &Pattern, expected: [f64; 3]) {
+        // P1, P3 and P5 of section 15 of the pattern facts.
+        let points = [DVec3::new(0.3, 0.7, -1.2), DVec3::new(0.125, -0.25, 0.5), DVec3::new(-250.75, 1003.3, -87.6)];
+        for (point, expected) in points.into_iter().zip(expected) {
+            let found = pattern.value(point, &Context::default());
+            assert!((found - expected).abs() < 1e-7, "{pattern:?} at {point}: {found} instead of {expected}");
+        }
+    }
+
+    #[test]
+    fn waves_are_those_of_povray() {
+        let onion = || Pattern::of(PatternKind::Onion);
+        check(&onion(), [0.4212670404, 0.5728219619, 0.8632918164]);
+        let sine = Pattern { frequency: 1.5, phase: f64::from(0.3f32), wave: Wave::Sine, ..onion() };
+        check(&sine, [0.2925279685, 0.9208508976, 0.2191461058]);
+        check(&Pattern { wave: Wave::Scallop, ..onion() }, [0.9695654014, 0.9739444968, 0.4163993797]);
+        check(&Pattern { wave: Wave::Cubic, ..onion() }, [0.3828766727, 0.6084605875, 0.949042531]);
+        check(&Pattern { wave: Wave::Poly(2.5), ..onion() }, [0.1151844105, 0.2483414148, 0.6924589934]);
+        let backward = Pattern { frequency: f64::from(-1.7f32), wave: Wave::Triangle, ..onion() };
+        check(&backward, [0.5676920226, 0.052405275, 0.9351722581]);
+    }
+
+    #[test]
+    fn formulas_are_those_of_povray() {
+        check(&Pattern::of(PatternKind::Checker), [0.0, 1.0, 0.0]);
+        check(&Pattern::of(PatternKind::Leopard), [0.0000065857, 0.0141369177, 0.0000008785]);
+        check(&Pattern::of(PatternKind::Radial), [0.2110004348, 0.7889895652, 0.4465084422]);
+        let gradient = DVec3::new(1.0, 2.0, 3.0).normalize();
+        check(&Pattern::of(PatternKind::Gradient(gradient)), [0.4922036404, 0.3006688972, 0.0343972373]);
+        let mortar = f64::from((0.5 - 2e-10) as f32);
+        let brick = PatternKind::Brick { size: DVec3::new(8.0, 3.0, 4.5), mortar };
+        check(&Pattern { frequency: 0.0, ..Pattern::of(brick) }, [1.0, 0.0, 1.0]);
+    }
+}

@@ -1,0 +1,102 @@
+//! Colours for points.
+
+use super::{Blend, Context, ImageMap, Pattern, Pick};
+use crate::math::{Color, DVec3, Rgb};
+
+/// A colour for each point.
+#[derive(Clone, Debug)]
+pub enum Pigment {
+    /// The same everywhere.
+    Solid(Color),
+    /// A pattern through colours.
+    Colors(Pattern, Blend<Color>),
+    /// A pattern through other pigments.
+    Pigments(Pattern, Blend<Pigment>),
+    /// A picture; the pattern carries its warps.
+    Image(Pattern, Box<ImageMap>),
+    /// Everything inside is looked up at (u, v, 0).
+    Uv(Box<Pigment>),
+}
+
+/// White and clear: what a picture shows outside of itself.
+const CLEAR: Color = Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
+
+impl Pigment {
+    /// The colour at a point of the containing space; `None` where a picture shown once leaves a hole.
+    pub fn color(&self, point: DVec3, context: &Context) -> Option<Color> {
+        match self {
+            Self::Solid(color) => Some(*color),
+            Self::Colors(pattern, colors) => Some(blend_colors(&pattern.pick(colors, point, context).0)),
+            Self::Pigments(pattern, pigments) => {
+                let (pick, warped) = pattern.pick(pigments, point, context);
+                Some(match pick {
+                    Pick::One(pigment) => pigment.color_or_clear(warped, context),
+                    Pick::Two(lower, upper, share) => {
+                        lower.color_or_clear(warped, context).lerp(upper.color_or_clear(warped, context), share)
+                    }
+                    Pick::All(all) => weighted_sum(all.iter().map(|(w, p)| (*w, p.color_or_clear(warped, context)))),
+                })
+            }
+            Self::Image(pattern, image) => image.color(pattern.warp(point)),
+            Self::Uv(pigment) => pigment.color(context.uv_point(), context),
+        }
+    }
+
+    /// The colour at a point; white and clear in holes.
+    pub fn color_or_clear(&self, point: DVec3, context: &Context) -> Color {
+        self.color(point, context).unwrap_or(CLEAR)
+    }
+
+    /// Whether no light comes through anywhere.
+    pub fn is_opaque(&self) -> bool {
+        let opaque = |c: &Color| c.filter == 0.0 && c.transmit == 0.0;
+        match self {
+            Self::Solid(color) => opaque(color),
+            Self::Colors(_, colors) => colors.iter().all(opaque),
+            Self::Pigments(_, pigments) => pigments.iter().all(Self::is_opaque),
+            Self::Image(_, image) => image.is_opaque(),
+            Self::Uv(pigment) => pigment.is_opaque(),
+        }
+    }
+}
+
+fn blend_colors(pick: &Pick<'_, Color>) -> Color {
+    match *pick {
+        Pick::One(color) => *color,
+        Pick::Two(lower, upper, share) => lower.lerp(*upper, share),
+        Pick::All(all) => weighted_sum(all.iter().copied()),
+    }
+}
+
+fn weighted_sum(items: impl Iterator<Item = (f32, Color)>) -> Color {
+    items.fold(Color::default(), |sum, (w, c)| Color {
+        rgb: sum.rgb + w * c.rgb,
+        filter: sum.filter + w * c.filter,
+        transmit: sum.transmit + w * c.transmit,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::PatternKind;
+    use super::*;
+
+    fn check(pigment: &Pigment, x: f64, expected: [f32; 5]) {
+        let found = pigment.color(DVec3::new(x, 0.0, 0.0), &Context::default()).unwrap();
+        let found = [found.rgb.x, found.rgb.y, found.rgb.z, found.filter, found.transmit];
+        found.iter().zip(expected).for_each(|(f, e)| assert!((f - e).abs() < 1e-6, "{found:?} {expected:?}"));
+    }
+
+    #[test]
+    fn all_five_components_blend() {
+        let gradient = || Pattern::of(PatternKind::Gradient(DVec3::X));
+        let red = Color::rgb(1.0, 0.0, 0.0);
+        let clear_green = Color { rgb: Rgb::Y, filter: 0.5, transmit: 0.25 };
+        let map = Blend::map([(f64::from(0.2f32), red), (f64::from(0.6f32), clear_green)]);
+        check(&Pigment::Colors(gradient(), map), 0.3, [0.75, 0.25, 0.0, 0.125, 0.0625]);
+        let grey = Blend::map([(0.0, Color::BLACK), (1.0, Color::rgb(1.0, 1.0, 1.0))]);
+        let items = [(1.0, Pigment::Solid(Color { transmit: 0.5, ..red })), (3.0, Pigment::Colors(gradient(), grey))];
+        let average = Pigment::Pigments(Pattern::of(PatternKind::None), Blend::average(items));
+        check(&average, 0.4, [0.55, 0.3, 0.3, 0.0, 0.125]);
+    }
+}

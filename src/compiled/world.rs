@@ -1,0 +1,104 @@
+//! All that rendering needs, in one place.
+
+use super::atmosphere::Atmosphere;
+use super::camera::Camera;
+use super::geometry::{Geometry, InteriorId, LightGroupId, TextureId};
+use super::interior::Interior;
+use super::light::Light;
+use super::texture::Texture;
+use crate::math::Rgb;
+
+/// A compiled scene. Every index in the geometry is valid here.
+#[derive(Debug)]
+pub struct World {
+    /// What rays meet.
+    pub geometry: Geometry,
+    /// By [`TextureId`].
+    pub textures: Vec<Texture>,
+    /// By texture: whether no light comes through anywhere.
+    pub opaque: Vec<bool>,
+    /// By [`InteriorId`].
+    pub interiors: Vec<Interior>,
+    /// Lights of the whole scene, in file order, then those of groups.
+    pub lights: Vec<Light>,
+    /// How many of `lights` are global.
+    pub n_global_lights: usize,
+    /// By light group: which lights, and whether global ones shine there, too.
+    pub groups: Vec<Group>,
+    /// Where the picture is taken from.
+    pub camera: Camera,
+    /// Sky and fog.
+    pub atmosphere: Atmosphere,
+    /// Limits and constants of shading.
+    pub settings: Settings,
+}
+
+/// Lights of one light group.
+#[derive(Clone, Debug, Default)]
+pub struct Group {
+    /// Indices into the lights.
+    pub lights: std::ops::Range<usize>,
+    /// Global lights shine there, too.
+    pub global_lights: bool,
+}
+
+/// Limits and constants of shading.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Bends and reflections of a ray, the camera ray being 1.
+    pub max_trace_level: u32,
+    /// Rays that count less than this are black.
+    pub adc_bailout: f32,
+    /// Wavelengths of red, green and blue for thin films.
+    pub irid_wavelength: Rgb,
+    /// Scenes below version 3.7 weigh a surface's own light by `1 - filter * max(rgb) - transmit`.
+    pub legacy_opacity: bool,
+    /// Curve from working values to linear light.
+    pub transfer: Transfer,
+}
+
+/// From a scene's working values to linear light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Transfer {
+    /// They are linear.
+    Linear,
+    /// A power; negative values become 0.
+    Power(f64),
+    /// The sRGB curve.
+    Srgb,
+}
+
+impl Transfer {
+    /// Linear light of a working value.
+    pub fn linear(self, v: f32) -> f32 {
+        match self {
+            Self::Linear => v,
+            Self::Power(gamma) => f64::from(v.max(0.0)).powf(gamma) as f32,
+            Self::Srgb => crate::imaging::linear_from_srgb(v),
+        }
+    }
+}
+
+impl World {
+    /// The texture behind an index.
+    pub fn texture(&self, id: TextureId) -> &Texture {
+        &self.textures[id.0 as usize]
+    }
+
+    /// The interior behind an index.
+    pub fn interior(&self, id: InteriorId) -> &Interior {
+        &self.interiors[id.0 as usize]
+    }
+
+    /// Indices of the lights that shine on a member of a group, or on anything outside of groups.
+    pub fn lights_for(&self, group: Option<LightGroupId>) -> impl Iterator<Item = usize> + use<> {
+        let group = group.map(|g| self.groups[g.0 as usize].clone());
+        let global = group.as_ref().is_none_or(|g| g.global_lights);
+        (0..if global { self.n_global_lights } else { 0 }).chain(group.map_or(0..0, |g| g.lights))
+    }
+
+    /// Whether no light comes through anything, so that shadow rays need no nearest hit.
+    pub fn all_opaque(&self) -> bool {
+        self.opaque.iter().all(|o| *o)
+    }
+}

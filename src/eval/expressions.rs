@@ -1,0 +1,485 @@
+//! Float, vector and colour expressions, evaluated as their tokens arrive.
+//!
+//! A place expects a certain width (1 for a float, 3 for a vector, …). Operands widen to
+//! it, and an operator widens its narrower side: a single number is replicated, anything
+//! else is filled up with zeros. Inside parentheses the width starts at 1 again.
+//!
+//! Two strengths exist: `arithmetic` knows `+ - * /`, signs and components; `full` adds
+//! comparisons, `& |` and `?:`. Which place takes which: language facts, section 5.
+
+use super::{Evaluator, Number, Value};
+use crate::diag::{SourceResult, Span};
+use crate::math::{DVec2, DVec3, DVec4};
+use crate::syntax::{Keyword, Symbol, TokenKind};
+use smallvec::SmallVec;
+
+/// POV-Ray's tolerance of comparisons and truth. Source: language facts, section 4.
+pub(super) const EPSILON: f64 = 1e-10;
+
+/// Whether a condition holds; NaN does not.
+pub(super) fn truth(value: f64) -> bool {
+    value.abs() > EPSILON
+}
+
+impl Number {
+    /// Componentwise, at the width of the wider side.
+    pub(super) fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        if self.n == 1 && other.n == 1 {
+            return Self::scalar(f(self.v[0], other.v[0]));
+        }
+        let n = self.n.max(other.n);
+        let (a, b) = (self.widened(n), other.widened(n));
+        let mut v = [0.0; 5];
+        for ((out, a), b) in v[..n as usize].iter_mut().zip(a.v).zip(b.v) {
+            *out = f(a, b);
+        }
+        Self { n, v }
+    }
+
+    fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+        for c in &mut self.v[..self.n as usize] {
+            *c = f(*c);
+        }
+        self
+    }
+}
+
+#[allow(clippy::missing_errors_doc)]
+impl Evaluator<'_> {
+    /// A float.
+    pub fn float(&mut self) -> SourceResult<f64> {
+        self.fill(false)?;
+        let span = self.span();
+        let value = self.arithmetic(1)?;
+        self.want_float(value, span)
+    }
+
+    /// A float, truncated towards zero.
+    pub fn integer(&mut self) -> SourceResult<i64> {
+        self.float().map(|f| f as i64)
+    }
+
+    /// A vector of two components.
+    pub fn vector2(&mut self) -> SourceResult<DVec2> {
+        let value = self.number_of_width(2)?;
+        Ok(DVec2::new(value.v[0], value.v[1]))
+    }
+
+    /// A vector of three components; a float is replicated, a missing third one is 0.
+    #[inline]
+    pub fn vector(&mut self) -> SourceResult<DVec3> {
+        self.number_of_width(3).map(|value| value.xyz())
+    }
+
+    /// A vector of four components.
+    pub fn vector4(&mut self) -> SourceResult<DVec4> {
+        let v = self.number_of_width(4)?.v;
+        Ok(DVec4::new(v[0], v[1], v[2], v[3]))
+    }
+
+    /// Any number of components, as a declaration takes it.
+    pub fn any_expression(&mut self) -> SourceResult<Number> {
+        self.arithmetic(1)
+    }
+
+    fn number_of_width(&mut self, n: u8) -> SourceResult<Number> {
+        self.fill(false)?;
+        let span = self.span();
+        let value = self.arithmetic(n)?;
+        if value.n > n {
+            let found = value.n;
+            return self.error(span, format!("expected a vector of {n} components, found one of {found}"));
+        }
+        Ok(value)
+    }
+
+    fn want_float(&self, value: Number, span: Span) -> SourceResult<f64> {
+        match value.n {
+            1 => Ok(value.v[0]),
+            5 => self.error(span, "expected a float, found a colour"),
+            n => self.error(span, format!("expected a float, found a vector of {n} components")),
+        }
+    }
+
+    /// A float in which comparisons and logic are allowed.
+    pub(super) fn full_float(&mut self) -> SourceResult<f64> {
+        self.fill(false)?;
+        let span = self.span();
+        let value = self.full(1)?;
+        self.want_float(value, span)
+    }
+
+    /// `( full expression )`, as a condition.
+    pub(super) fn condition(&mut self) -> SourceResult<f64> {
+        self.bracketed('(', "before the condition", ')', "behind the condition", Self::full_float)
+    }
+
+    /// Something between brackets, where directives and macros work everywhere.
+    pub(super) fn bracketed<T>(
+        &mut self,
+        open: char,
+        why_open: &str,
+        close: char,
+        why_close: &str,
+        read: impl FnOnce(&mut Self) -> SourceResult<T>,
+    ) -> SourceResult<T> {
+        let bare = std::mem::replace(&mut self.bare, false);
+        self.parentheses += 1;
+        if self.fill(false)? != TokenKind::Punct(open) {
+            return self.expected(&format!("'{open}' {why_open}"));
+        }
+        self.take();
+        self.deeper()?;
+        let value = read(self)?;
+        if self.fill(false)? != TokenKind::Punct(close) {
+            return self.expected(&format!("'{close}' {why_close}"));
+        }
+        self.take();
+        self.nesting = self.nesting.saturating_sub(1);
+        self.parentheses -= 1;
+        self.bare = bare;
+        Ok(value)
+    }
+
+    /// Levels 1 to 7: with comparisons, logic and choice.
+    pub(super) fn full(&mut self, n: u8) -> SourceResult<Number> {
+        self.fill(false)?;
+        let span = self.span();
+        let chosen = self.logic(n)?;
+        if self.fill(self.bare)? != TokenKind::Punct('?') {
+            return Ok(chosen);
+        }
+        self.take();
+        if chosen.n > n {
+            return self.error(span, "the condition before '?' must be a float");
+        }
+        self.deeper()?;
+        let yes = self.full(n)?;
+        if self.fill(self.bare)? != TokenKind::Punct(':') {
+            return self.expected("':' of the choice that '?' began");
+        }
+        self.take();
+        let no = self.full(n)?;
+        self.nesting = self.nesting.saturating_sub(1);
+        Ok(if truth(chosen.v[0]) { yes } else { no })
+    }
+
+    /// Level 6: `&` and `|` bind equally and evaluate both sides.
+    fn logic(&mut self, n: u8) -> SourceResult<Number> {
+        let mut left = self.comparison(n)?;
+        loop {
+            let and = match self.fill(self.bare)? {
+                TokenKind::Punct('&') => true,
+                TokenKind::Punct('|') => false,
+                _ => return Ok(left),
+            };
+            self.take();
+            let right = self.comparison(n.max(left.n))?;
+            let join = |a, b| if and { truth(a) && truth(b) } else { truth(a) || truth(b) };
+            left = left.zip(right, |a, b| f64::from(join(a, b)));
+        }
+    }
+
+    /// Level 5: comparisons of numbers, from left to right, or one of strings.
+    fn comparison(&mut self, n: u8) -> SourceResult<Number> {
+        if self.starts_string()? {
+            return self.string_comparison().map(|truth| Number::scalar(truth).widened(n));
+        }
+        let mut left = self.arithmetic(n)?;
+        while let Some(relation) = self.relation()? {
+            let right = self.arithmetic(n.max(left.n))?;
+            left = left.zip(right, |a, b| f64::from(relation.holds(a, b)));
+        }
+        Ok(left)
+    }
+
+    fn string_comparison(&mut self) -> SourceResult<f64> {
+        let left = self.string()?;
+        let Some(relation) = self.relation()? else {
+            return self.expected("a comparison behind the string");
+        };
+        let right = self.string()?;
+        let order = left.encode_utf16().cmp(right.encode_utf16());
+        Ok(f64::from(relation.holds(f64::from(order as i8), 0.0)))
+    }
+
+    /// Takes a comparison operator if there is one.
+    fn relation(&mut self) -> SourceResult<Option<Relation>> {
+        let relation = match self.fill(self.bare)? {
+            TokenKind::Punct('<') => Relation::Less,
+            TokenKind::Punct('>') => Relation::Greater,
+            TokenKind::Punct('=') => Relation::Equal,
+            TokenKind::OrEqual('<') => Relation::AtMost,
+            TokenKind::OrEqual('>') => Relation::AtLeast,
+            TokenKind::OrEqual('!') => Relation::Differs,
+            _ => return Ok(None),
+        };
+        self.take();
+        Ok(Some(relation))
+    }
+
+    /// Levels 1 to 4: signs, components, `* / + -`.
+    #[inline]
+    pub(super) fn arithmetic(&mut self, n: u8) -> SourceResult<Number> {
+        let first = self.term(n)?;
+        self.sum_from(first, n)
+    }
+
+    /// Goes on with an expression whose first operand was already read.
+    pub(super) fn arithmetic_from(&mut self, operand: Number, n: u8) -> SourceResult<Number> {
+        let operand = self.component(operand)?.widened(n);
+        let first = self.product_from(operand, n)?;
+        self.sum_from(first, n)
+    }
+
+    fn sum_from(&mut self, mut left: Number, n: u8) -> SourceResult<Number> {
+        loop {
+            let plus = match self.fill(self.bare)? {
+                TokenKind::Punct('+') => true,
+                TokenKind::Punct('-') => false,
+                _ => return Ok(left),
+            };
+            if self.operators_need_parentheses() {
+                return Ok(left);
+            }
+            self.take();
+            let right = self.term(n.max(left.n))?;
+            left = if plus { left.zip(right, |a, b| a + b) } else { left.zip(right, |a, b| a - b) };
+        }
+    }
+
+    #[inline]
+    fn term(&mut self, n: u8) -> SourceResult<Number> {
+        let first = self.factor(n)?;
+        self.product_from(first, n)
+    }
+
+    fn product_from(&mut self, mut left: Number, n: u8) -> SourceResult<Number> {
+        loop {
+            let times = match self.fill(self.bare)? {
+                TokenKind::Punct('*') => true,
+                TokenKind::Punct('/') => false,
+                _ => return Ok(left),
+            };
+            if self.operators_need_parentheses() {
+                return Ok(left);
+            }
+            let span = self.span();
+            self.take();
+            let right = self.factor(n.max(left.n))?;
+            left = if times { left.zip(right, |a, b| a * b) } else { self.quotient(left, right, span) };
+        }
+    }
+
+    /// Below version 1.5 even arithmetic stands in parentheses.
+    fn operators_need_parentheses(&self) -> bool {
+        self.version < 150 && self.parentheses == 0
+    }
+
+    /// Division; by an exact zero it gives plus infinity, whatever the numerator.
+    fn quotient(&mut self, left: Number, right: Number, span: Span) -> Number {
+        let quotient = left.zip(right, |a, b| if b == 0.0 { f64::INFINITY } else { a / b });
+        let n = quotient.n;
+        if right.widened(n).v[..n as usize].contains(&0.0) {
+            self.warn_here("division", span, "division by zero; the result is taken to be infinite");
+        }
+        quotient
+    }
+
+    /// An operand with its signs and component, widened.
+    fn factor(&mut self, n: u8) -> SourceResult<Number> {
+        let mut signs = SmallVec::<[u8; 8]>::new();
+        while let TokenKind::Punct(sign @ ('-' | '+' | '!')) = self.fill(false)? {
+            self.take();
+            signs.push(sign as u8);
+        }
+        let operand = self.operand()?;
+        let mut value = self.component(operand)?.widened(n);
+        while let Some(sign) = signs.pop() {
+            value = match sign {
+                b'-' => value.map(|c| -c),
+                b'!' => value.map(|c| f64::from(c.abs() <= EPSILON)),
+                _ => value,
+            };
+        }
+        Ok(value)
+    }
+
+    /// A number, identifier, call, literal vector or parenthesis, at its own width.
+    fn operand(&mut self) -> SourceResult<Number> {
+        match self.fill(false)? {
+            TokenKind::Number(value) => {
+                self.take();
+                Ok(Number::scalar(value))
+            }
+            TokenKind::Name(name) => self.identifier(name),
+            TokenKind::Vector => {
+                let (v, n) = self.literal;
+                self.take();
+                Ok(Number { n, v })
+            }
+            TokenKind::Punct('(') => {
+                self.bracketed('(', "of the expression", ')', "to close the parenthesis", |e| e.full(1))
+            }
+            TokenKind::Punct('<') => self.vector_literal(),
+            TokenKind::Keyword(keyword) => match self.built_in(keyword)? {
+                Some(value) => Ok(value),
+                None => self.expected("a number, a vector or something that gives one"),
+            },
+            _ => self.expected("a number, a vector or something that gives one"),
+        }
+    }
+
+    /// `< a, b, … >` of any expressions; commas may be missing, the last one may trail.
+    fn vector_literal(&mut self) -> SourceResult<Number> {
+        let span = self.span();
+        let mut value = Number { n: 0, v: [0.0; 5] };
+        let parentheses = std::mem::replace(&mut self.parentheses, 0);
+        let read = |e: &mut Self| {
+            // Version 1.0 asks for parentheses around operators here too.
+            e.parentheses = 0;
+            while value.n < 5 && !e.at_punct('>')? {
+                value.v[value.n as usize] = e.float()?;
+                value.n += 1;
+                if value.n < 5 {
+                    e.comma()?;
+                }
+            }
+            e.parentheses = 1;
+            Ok(())
+        };
+        self.bracketed('<', "of the vector", '>', "to close the vector", read)?;
+        self.parentheses = parentheses;
+        if value.n < 2 {
+            return self.error(span, "a vector has two to five components");
+        }
+        Ok(value)
+    }
+
+    /// What an identifier gives: a variable, an element, a call of a function or spline.
+    fn identifier(&mut self, name: Symbol) -> SourceResult<Number> {
+        let Some(place) = self.scopes.find(name) else {
+            let span = self.span();
+            return self.undeclared(name, span);
+        };
+        if let Some(number) = place.with(|value| value.and_then(Value::number)) {
+            self.note_use(name);
+            self.take();
+            return Ok(number);
+        }
+        let span = self.span();
+        let place = self.place()?;
+        match place.get() {
+            None => self.error(span, "this array element was never set"),
+            Some(value) => match self.called(&value, span)? {
+                Some(number) => Ok(number),
+                None => {
+                    let (kind, word) = (value.kind(), self.names.word(name).clone());
+                    self.error(span, format!("expected a number or vector, found the {kind} '{word}'"))
+                }
+            },
+        }
+    }
+
+    /// The number that a value gives in an expression: itself, or the result of calling it.
+    pub(super) fn called(&mut self, value: &Value, span: Span) -> SourceResult<Option<Number>> {
+        match value {
+            Value::Float(_) | Value::Vector(_) => Ok(value.number()),
+            Value::Function(function) => {
+                let arguments = self.float_arguments()?;
+                let (wanted, given) = (function.n_parameters, arguments.len());
+                if wanted != given {
+                    return self.error(span, format!("this function takes {wanted} arguments, {given} are given"));
+                }
+                let n = function.width().clamp(1, 5) as u8;
+                Ok(Some(Number { n, v: function.call(&arguments) }))
+            }
+            Value::Spline(spline) => self.spline_call(spline).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// `.x` and the like behind an operand.
+    fn component(&mut self, value: Number) -> SourceResult<Number> {
+        if self.fill(self.bare)? != TokenKind::Punct('.') {
+            return Ok(value);
+        }
+        self.take();
+        let TokenKind::Keyword(word) = self.fill(self.bare)? else {
+            return self.expected("a component such as x or red behind the dot");
+        };
+        let index = match word {
+            Keyword::X | Keyword::U | Keyword::Red => 0,
+            Keyword::Y | Keyword::V | Keyword::Green => 1,
+            Keyword::Z | Keyword::Blue => 2,
+            Keyword::T | Keyword::Filter => 3,
+            Keyword::Transmit => 4,
+            Keyword::Gray => {
+                self.take();
+                let c = value.widened(3).v;
+                return Ok(Number::scalar(0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2]));
+            }
+            _ => return self.expected("a component such as x or red behind the dot"),
+        };
+        if index >= value.n as usize {
+            let (span, n) = (self.span(), value.n);
+            return self.error(span, format!("there is no component '{}' in a value of width {n}", word.word()));
+        }
+        self.take();
+        Ok(Number::scalar(value.v[index]))
+    }
+
+    /// Whether the next token can start a float, vector or colour expression without a colour word.
+    pub fn starts_expression(&mut self) -> SourceResult<bool> {
+        Ok(match self.fill(false)? {
+            TokenKind::Number(_) | TokenKind::Vector => true,
+            TokenKind::Punct(c) => matches!(c, '(' | '<' | '+' | '-' | '!'),
+            TokenKind::Keyword(keyword) => super::float_functions::starts_expression(keyword),
+            TokenKind::Name(name) => self.names_number(name),
+            _ => false,
+        })
+    }
+
+    /// Whether an identifier stands for a number or something that gives one.
+    pub(super) fn names_number(&self, name: Symbol) -> bool {
+        let gives =
+            |value: &Value| matches!(value, Value::Float(_) | Value::Vector(_) | Value::Function(_) | Value::Spline(_));
+        self.scopes.find(name).is_some_and(|place| {
+            place.with(|value| match value {
+                Some(Value::Array(array)) => array.sample().is_some_and(gives),
+                Some(value) => gives(value),
+                None => false,
+            })
+        })
+    }
+
+    /// `hollow`, `hollow on`, `hollow F`: on unless a float says otherwise.
+    pub fn optional_bool(&mut self) -> SourceResult<bool> {
+        Ok(!self.starts_expression()? || self.float()? > 0.0)
+    }
+}
+
+/// A comparison; see language facts, section 5, for where the tolerance counts.
+#[derive(Clone, Copy, Debug)]
+enum Relation {
+    Less,
+    AtMost,
+    Equal,
+    Differs,
+    AtLeast,
+    Greater,
+}
+
+impl Relation {
+    fn holds(self, a: f64, b: f64) -> bool {
+        match self {
+            Self::Less => a < b,
+            Self::AtMost => a <= b + EPSILON,
+            // So NaN and equal infinities count as equal.
+            Self::Equal => !Self::Differs.holds(a, b),
+            Self::Differs => (a - b).abs() > EPSILON,
+            Self::AtLeast => a + EPSILON >= b,
+            Self::Greater => a > b,
+        }
+    }
+}

@@ -1,0 +1,268 @@
+//! Built-in constants and functions that give a float.
+
+use super::expressions::truth;
+use super::{Evaluator, Number, Value};
+use crate::diag::SourceResult;
+use crate::syntax::{Keyword, TokenKind};
+
+/// Truncation to a signed 32-bit integer; what does not fit, and NaN, gives the smallest one.
+///
+/// Source: language facts, section 7.
+pub(super) fn int32(value: f64) -> i32 {
+    let whole = value.trunc();
+    if whole >= f64::from(i32::MIN) && whole <= f64::from(i32::MAX) { whole as i32 } else { i32::MIN }
+}
+
+/// Whether an expression may start with that word.
+pub(super) fn starts_expression(keyword: Keyword) -> bool {
+    use Keyword as K;
+    constant(keyword).is_some()
+        || one_argument(keyword).is_some()
+        || matches!(
+            keyword,
+            K::Clock
+                | K::ClockOn
+                | K::Version
+                | K::Now
+                | K::Acos
+                | K::Asin
+                | K::Ln
+                | K::Log
+                | K::Sqrt
+                | K::Pow
+                | K::Atan2
+                | K::Div
+                | K::Mod
+                | K::Max
+                | K::Min
+                | K::Select
+                | K::BitwiseAnd
+                | K::BitwiseOr
+                | K::BitwiseXor
+                | K::Seed
+                | K::Rand
+                | K::Defined
+                | K::Dimensions
+                | K::DimensionSize
+                | K::FileExists
+                | K::Inside
+                | K::Vdot
+                | K::Vlength
+                | K::Strcmp
+                | K::Strlen
+                | K::Asc
+                | K::Val
+                | K::X
+                | K::Y
+                | K::Z
+                | K::U
+                | K::V
+                | K::T
+                | K::MaxExtent
+                | K::MinExtent
+                | K::Trace
+                | K::VaxisRotate
+                | K::Vcross
+                | K::Vnormalize
+                | K::Vrotate
+                | K::Vturbulence
+        )
+}
+
+fn constant(keyword: Keyword) -> Option<f64> {
+    Some(match keyword {
+        Keyword::Pi => std::f64::consts::PI,
+        Keyword::True | Keyword::Yes | Keyword::On => 1.0,
+        Keyword::False | Keyword::No | Keyword::Off => 0.0,
+        _ => return None,
+    })
+}
+
+/// Functions of one float without a case of their own.
+fn one_argument(keyword: Keyword) -> Option<fn(f64) -> f64> {
+    Some(match keyword {
+        Keyword::Abs => f64::abs,
+        Keyword::Ceil => f64::ceil,
+        Keyword::Floor => f64::floor,
+        Keyword::Cos => f64::cos,
+        Keyword::Sin => f64::sin,
+        Keyword::Tan => f64::tan,
+        Keyword::Atan => f64::atan,
+        Keyword::Sinh => f64::sinh,
+        Keyword::Cosh => f64::cosh,
+        Keyword::Tanh => f64::tanh,
+        Keyword::Asinh => f64::asinh,
+        Keyword::Acosh => f64::acosh,
+        Keyword::Atanh => f64::atanh,
+        Keyword::Exp => f64::exp,
+        Keyword::Int => |a| f64::from(int32(a)),
+        Keyword::Degrees => |a| a * 180.0 / std::f64::consts::PI,
+        Keyword::Radians => |a| a * std::f64::consts::PI / 180.0,
+        _ => return None,
+    })
+}
+
+impl Evaluator<'_> {
+    /// The value of a built-in constant or function call; `None`, and nothing taken, for other words.
+    pub(super) fn built_in(&mut self, keyword: Keyword) -> SourceResult<Option<Number>> {
+        if let Some(value) = constant(keyword) {
+            self.take();
+            return Ok(Some(Number::scalar(value)));
+        }
+        if let Some(function) = one_argument(keyword) {
+            self.take();
+            return Ok(Some(Number::scalar(function(self.one_float()?))));
+        }
+        if !starts_expression(keyword) {
+            return Ok(None);
+        }
+        if let Some(value) = self.vector_function(keyword)? {
+            return Ok(Some(value));
+        }
+        let span = self.span();
+        self.take();
+        let value = match keyword {
+            Keyword::Clock => self.options.clock,
+            Keyword::ClockOn => f64::from(self.options.animated),
+            Keyword::Version => f64::from(self.version) / 100.0,
+            Keyword::Now => self.options.now,
+            Keyword::Seed => {
+                let seed = self.one_float()?;
+                if self.random.len() >= self.options.limits.array_elements {
+                    return self.limit(span, "too many random streams".into(), "array_elements");
+                }
+                self.random.seed(seed)
+            }
+            Keyword::Rand => {
+                let stream = self.one_float()?;
+                match self.random.next(stream) {
+                    Some(value) => value,
+                    None => return self.error(span, "there is no such random stream; seed() gives their numbers"),
+                }
+            }
+            Keyword::Acos | Keyword::Asin | Keyword::Ln | Keyword::Log | Keyword::Sqrt => {
+                self.bounded_function(keyword)?
+            }
+            Keyword::Pow | Keyword::Atan2 | Keyword::Div | Keyword::Mod => self.two_argument_function(keyword)?,
+            Keyword::Max => self.listed_floats()?.into_iter().reduce(|a, b| if b > a { b } else { a }).unwrap_or(0.0),
+            Keyword::Min => self.listed_floats()?.into_iter().reduce(|a, b| if b < a { b } else { a }).unwrap_or(0.0),
+            Keyword::BitwiseAnd => self.bitwise(|a, b| a & b)?,
+            Keyword::BitwiseOr => self.bitwise(|a, b| a | b)?,
+            Keyword::BitwiseXor => self.bitwise(|a, b| a ^ b)?,
+            Keyword::Select => self.select()?,
+            Keyword::Defined => f64::from(self.arguments(Self::defined)?),
+            Keyword::Dimensions | Keyword::DimensionSize => self.array_function(keyword)?,
+            Keyword::FileExists | Keyword::Strcmp | Keyword::Strlen | Keyword::Asc | Keyword::Val => {
+                self.string_measure(keyword)?
+            }
+            Keyword::Inside => self.inside()?,
+            Keyword::Vdot => {
+                let [a, b] = self.vectors()?;
+                a.dot(b)
+            }
+            Keyword::Vlength => {
+                let [a] = self.vectors()?;
+                a.length()
+            }
+            _ => return self.error(span, format!("'{}' gives no number here", keyword.word())),
+        };
+        Ok(Some(Number::scalar(value)))
+    }
+
+    /// Functions of one float that are not defined everywhere.
+    fn bounded_function(&mut self, keyword: Keyword) -> SourceResult<f64> {
+        let span = self.last_span;
+        let a = self.one_float()?;
+        match keyword {
+            Keyword::Sqrt if a < 0.0 => self.error(span, format!("square root of the negative number {a}")),
+            Keyword::Sqrt => Ok(a.sqrt()),
+            Keyword::Ln | Keyword::Log if a <= 0.0 => {
+                self.error(span, format!("logarithm of {a}, which is not positive"))
+            }
+            Keyword::Ln => Ok(a.ln()),
+            Keyword::Log => Ok(a.log10()),
+            _ => {
+                if a.abs() > 1.0 {
+                    self.warn_here(
+                        "domain",
+                        span,
+                        format!("{}({a}) is taken at the nearer end of [-1, 1]", keyword.word()),
+                    );
+                }
+                let clamped = a.clamp(-1.0, 1.0);
+                Ok(if keyword == Keyword::Acos { clamped.acos() } else { clamped.asin() })
+            }
+        }
+    }
+
+    fn two_argument_function(&mut self, keyword: Keyword) -> SourceResult<f64> {
+        let span = self.last_span;
+        let [a, b] = self.floats()?;
+        match keyword {
+            Keyword::Pow if a == 0.0 && b == 0.0 => self.error(span, "pow(0, 0) is not defined"),
+            Keyword::Pow => Ok(a.powf(b)),
+            Keyword::Atan2 if !truth(a) && !truth(b) => self.error(span, "atan2(0, 0) is not defined"),
+            Keyword::Atan2 => Ok(a.atan2(b)),
+            Keyword::Div => Ok(f64::from(int32(a / b))),
+            _ => Ok(a % b),
+        }
+    }
+
+    fn bitwise(&mut self, f: impl Fn(i32, i32) -> i32) -> SourceResult<f64> {
+        let values = self.listed_floats()?;
+        Ok(values.into_iter().map(int32).reduce(f).map_or(0.0, f64::from))
+    }
+
+    /// `select(a, less, equal [, greater])`; only the last comma is needed.
+    fn select(&mut self) -> SourceResult<f64> {
+        self.arguments(|e| {
+            let a = e.float()?;
+            e.comma()?;
+            let less = e.float()?;
+            e.comma()?;
+            let equal = e.float()?;
+            let greater = if e.accept_punct(',')? { e.float()? } else { equal };
+            Ok(if a < 0.0 {
+                less
+            } else if a == 0.0 {
+                equal
+            } else {
+                greater
+            })
+        })
+    }
+
+    /// Whether a name, or an element, has a value. Reserved words have none.
+    pub(super) fn defined(&mut self) -> SourceResult<bool> {
+        match self.fill(true)? {
+            TokenKind::Name(name) => {
+                let span = self.span();
+                self.take();
+                let place = self.place_after(name, span)?;
+                Ok(place.is_some_and(|p| p.with(|value| value.is_some())))
+            }
+            TokenKind::Keyword(_) => {
+                self.take();
+                Ok(false)
+            }
+            _ => self.expected("a name"),
+        }
+    }
+
+    /// `dimensions(A)` and `dimension_size(A, n)`.
+    fn array_function(&mut self, keyword: Keyword) -> SourceResult<f64> {
+        self.arguments(|e| {
+            e.fill(false)?;
+            let span = e.span();
+            let value = e.place()?.get();
+            let Some(Value::Array(array)) = value else { return e.error(span, "expected an array") };
+            if keyword == Keyword::Dimensions {
+                return Ok(array.dimensions.len() as f64);
+            }
+            e.comma()?;
+            let n = e.float()?;
+            let index = int32(n + super::expressions::EPSILON) - 1;
+            Ok(usize::try_from(index).ok().and_then(|i| array.dimensions.get(i)).map_or(0.0, |size| *size as f64))
+        })
+    }
+}

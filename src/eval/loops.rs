@@ -1,0 +1,133 @@
+//! `#while`, `#for` and `#end`.
+
+use super::directives::{Block, BlockKind, ForLoop};
+use super::expressions::{EPSILON, truth};
+use super::{Evaluator, Place, Value};
+use crate::diag::{SourceResult, Span};
+use crate::syntax::Position;
+
+impl Evaluator<'_> {
+    /// Where the innermost cursor stands.
+    fn here(&self) -> Position {
+        self.cursors.last().map_or(Position::default(), super::cursor::Cursor::position)
+    }
+
+    /// Goes elsewhere in the innermost file or macro.
+    fn jump(&mut self, to: Position) {
+        if let Some(cursor) = self.cursors.last_mut() {
+            cursor.jump(to, &mut self.names);
+        }
+    }
+
+    /// Counts a turn of a loop or a macro call.
+    pub(super) fn count_step(&mut self, span: Span) -> SourceResult<()> {
+        self.steps += 1;
+        let limit = self.options.limits.steps;
+        if self.steps > limit {
+            return self.limit(span, format!("more than {limit} turns of loops and macro calls"), "steps");
+        }
+        Ok(())
+    }
+
+    pub(super) fn run_while(&mut self, span: Span) -> SourceResult<()> {
+        let condition = self.here();
+        if truth(self.condition()?) {
+            let cursor = self.cursors.len();
+            self.open_blocks.push(Block { kind: BlockKind::While { cursor, condition }, span });
+            Ok(())
+        } else {
+            self.skip_block(span)
+        }
+    }
+
+    pub(super) fn run_for(&mut self, span: Span) -> SourceResult<()> {
+        let values = self.bracketed('(', "before the loop's variable", ')', "behind the loop's values", |e| {
+            let (name, _) = e.new_name()?;
+            e.comma()?;
+            let from = e.float()?;
+            e.comma()?;
+            let to = e.float()?;
+            let step = if e.accept_punct(',')? || e.starts_expression()? { e.float()? } else { 1.0 };
+            Ok((name, from, to, step))
+        })?;
+        let (name, from, to, step) = values;
+        if !truth(step) {
+            return self.error(span, "the step of a #for loop must not be zero");
+        }
+        let variable = match self.scopes.find_innermost(name).cloned() {
+            Some(place) => {
+                self.store(&place, Some(Value::Float(from)), span)?;
+                place
+            }
+            None => {
+                let place = Place::new(Value::Float(from));
+                self.scopes.bind(self.local_table(), name, place.clone());
+                place
+            }
+        };
+        let running = ForLoop { cursor: self.cursors.len(), body: self.here(), variable, end: to, step };
+        if !running.goes_on(from) {
+            return self.skip_block(span);
+        }
+        self.open_blocks.push(Block { kind: BlockKind::For(Box::new(running)), span });
+        Ok(())
+    }
+
+    /// `#end`: leaves a branch, or goes back to the start of a loop.
+    pub(super) fn run_end(&mut self, span: Span) -> SourceResult<()> {
+        let floor = self.cursors.last().map_or(0, |c| if c.is_macro() { c.blocks } else { 0 });
+        if self.open_blocks.len() <= floor {
+            return self.error(span, "#end without anything to end");
+        }
+        let depth = self.cursors.len();
+        match self.open_blocks.last().map(|block| (&block.kind, block.span)) {
+            Some((BlockKind::While { cursor, condition }, opened)) => {
+                let (started_in, condition) = (*cursor, *condition);
+                self.check_same_file(started_in == depth, opened)?;
+                self.count_step(opened)?;
+                let after = self.here();
+                self.jump(condition);
+                if !truth(self.condition()?) {
+                    self.jump(after);
+                    self.open_blocks.pop();
+                }
+                Ok(())
+            }
+            Some((BlockKind::For(running), opened)) => {
+                self.check_same_file(running.cursor == depth, opened)?;
+                let current = running.variable.with(|value| match value {
+                    Some(Value::Float(f)) => Some(*f),
+                    _ => None,
+                });
+                let Some(current) = current else {
+                    return self.error(opened, "the variable of this #for loop was given another type");
+                };
+                let next = current + running.step;
+                running.variable.set(Some(Value::Float(next)));
+                let (body, goes_on) = (running.body, running.goes_on(next));
+                if goes_on {
+                    self.count_step(opened)?;
+                    self.jump(body);
+                } else {
+                    self.open_blocks.pop();
+                }
+                Ok(())
+            }
+            _ => {
+                self.open_blocks.pop();
+                Ok(())
+            }
+        }
+    }
+
+    fn check_same_file(&self, same: bool, opened: Span) -> SourceResult<()> {
+        if same { Ok(()) } else { self.error(opened, "this loop does not end in the file where it began") }
+    }
+}
+
+impl ForLoop {
+    /// Whether a turn follows for that value of the variable.
+    fn goes_on(&self, value: f64) -> bool {
+        if self.step > 0.0 { value <= self.end + EPSILON } else { value >= self.end - EPSILON }
+    }
+}

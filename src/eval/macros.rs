@@ -1,0 +1,114 @@
+//! Macros: fragments of text that are read again at each call.
+
+use super::cursor::{Cursor, Role};
+use super::declarations::Argument;
+use super::scope::Scopes;
+use super::{Evaluator, Macro, Place, Value};
+use crate::diag::{SourceResult, Span};
+use crate::syntax::{Position, TokenKind};
+use smallvec::SmallVec;
+use std::rc::Rc;
+
+impl Evaluator<'_> {
+    /// `#macro NAME ( parameters ) … #end`: remembers where the body stands.
+    pub(super) fn define_macro(&mut self, span: Span) -> SourceResult<()> {
+        let (name, _) = self.new_name()?;
+        let mut parameters = Vec::new();
+        if self.fill(true)? != TokenKind::Punct('(') {
+            return self.expected("'(' before the parameters of the macro");
+        }
+        self.take();
+        while self.fill(true)? != TokenKind::Punct(')') {
+            let (parameter, _) = self.new_name()?;
+            parameters.push(parameter);
+            if self.fill(true)? == TokenKind::Punct(',') {
+                self.take();
+            }
+        }
+        self.take();
+        let Some(cursor) = self.cursors.last() else { return Ok(()) };
+        let (source, start) = (Rc::clone(&cursor.source), cursor.position());
+        self.skip_block(span)?;
+        let Some(cursor) = self.cursors.last() else { return Ok(()) };
+        if !Rc::ptr_eq(&cursor.source, &source) {
+            return self.error(span, "this macro does not end in the file where it began");
+        }
+        // The position behind the #end is never the first of a piece.
+        let after = cursor.position();
+        let end = Position { index: after.index.saturating_sub(1), ..after };
+        let made = Value::Macro(Rc::new(Macro { name, parameters, source, start, end }));
+        match self.scopes.find(name).cloned() {
+            Some(place) if place.with(|v| matches!(v, Some(Value::Macro(_)))) => place.set(Some(made)),
+            Some(place) if place.with(|v| matches!(v, Some(Value::Function(_)))) => {
+                return self.error(span, "a function of this name is already declared");
+            }
+            _ => self.scopes.bind(Scopes::GLOBAL, name, Place::new(made)),
+        }
+        Ok(())
+    }
+
+    /// Evaluates the arguments and lets the body's tokens come next.
+    pub(super) fn call_macro(&mut self, called: &Rc<Macro>, span: Span) -> SourceResult<()> {
+        let bare = std::mem::replace(&mut self.bare, false);
+        let case_wanted = std::mem::take(&mut self.case_wanted);
+        self.deeper()?;
+        let arguments = self.macro_arguments(called, span)?;
+        self.nesting = self.nesting.saturating_sub(1);
+        self.bare = bare;
+        self.case_wanted = case_wanted;
+        self.count_step(span)?;
+        self.macro_depth += 1;
+        let limit = self.options.limits.macro_depth;
+        if self.macro_depth > limit {
+            return self.limit(span, format!("more than {limit} macro calls inside one another"), "macro_depth");
+        }
+        self.scopes.push();
+        let table = self.local_table();
+        for (parameter, argument) in called.parameters.iter().zip(arguments) {
+            let place = match argument {
+                Argument::Alias(place) => place,
+                Argument::Value(value) => Place::new(value),
+            };
+            self.scopes.bind(table, *parameter, place);
+        }
+        let range = (called.start, Some(called.end));
+        let mut cursor = Cursor::new(Rc::clone(&called.source), range, Role::Macro(called.name));
+        cursor.blocks = self.open_blocks.len();
+        cursor.call = span;
+        self.cursors.push(cursor);
+        Ok(())
+    }
+
+    fn macro_arguments(&mut self, called: &Macro, span: Span) -> SourceResult<SmallVec<[Argument; 4]>> {
+        let wanted = called.parameters.len();
+        if self.fill(false)? != TokenKind::Punct('(') {
+            let name = self.names.word(called.name).clone();
+            return self.expected(&format!("'(' behind the name of the macro '{name}'"));
+        }
+        self.take();
+        let mut arguments = SmallVec::new();
+        while arguments.len() < wanted {
+            if self.fill(false)? == TokenKind::Punct(')') {
+                let (name, given) = (self.names.word(called.name).clone(), arguments.len());
+                return self.error(span, format!("the macro '{name}' takes {wanted} arguments, {given} are given"));
+            }
+            let start = self.span();
+            let argument = self.argument()?;
+            if let Argument::Alias(place) = &argument
+                && place.with(|value| value.is_none())
+            {
+                return self.error(start, "this array element was never set");
+            }
+            arguments.push(argument);
+            if self.fill(false)? == TokenKind::Punct(',') {
+                self.take();
+            }
+        }
+        if self.fill(false)? != TokenKind::Punct(')') {
+            let name = self.names.word(called.name).clone();
+            return self.expected(&format!("')' behind the {wanted} arguments of the macro '{name}'"));
+        }
+        self.take();
+        Ok(arguments)
+    }
+}

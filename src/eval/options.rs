@@ -1,0 +1,75 @@
+//! What a caller may choose.
+
+use std::path::PathBuf;
+
+/// How to read a scene.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Folders that are searched for files after the working directory, in order.
+    pub include_dirs: Vec<PathBuf>,
+    /// Floats declared before the scene is read (`Declare=NAME=VALUE`).
+    pub declarations: Vec<(String, f64)>,
+    /// `clock`.
+    pub clock: f64,
+    /// `clock_on`: whether this is a frame of an animation.
+    pub animated: bool,
+    /// `initial_frame`, `final_frame`, `frame_number`, `initial_clock`, `final_clock`, `clock_delta`.
+    pub animation: [f64; 6],
+    /// `image_width`.
+    pub image_width: u32,
+    /// `image_height`.
+    pub image_height: u32,
+    /// What `now` and `datetime` take for the present, in days since 2000-01-01 UTC.
+    pub now: f64,
+    /// Bounds on what a scene may use up.
+    pub limits: Limits,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            include_dirs: Vec::new(),
+            declarations: Vec::new(),
+            clock: 0.0,
+            animated: false,
+            animation: [0.0; 6],
+            image_width: 320,
+            image_height: 240,
+            now: 0.0,
+            limits: Limits::default(),
+        }
+    }
+}
+
+/// Bounds on what a scene may use up; POV-Ray's own are 31 and about 98 for the first two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Include files open at the same time.
+    pub include_depth: usize,
+    /// Macro calls running at the same time.
+    pub macro_depth: usize,
+    /// Braces, parentheses and directives inside one another.
+    pub nesting: usize,
+    /// Turns of loops and macro calls, all together.
+    pub steps: u64,
+    /// Objects at top level of the scene.
+    pub objects: usize,
+    /// Elements of an array.
+    pub array_elements: usize,
+    /// Bytes of a string.
+    pub string_bytes: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            include_depth: 64,
+            macro_depth: 1000,
+            nesting: 500,
+            steps: 20_000_000,
+            objects: 4_000_000,
+            array_elements: 20_000_000,
+            string_bytes: 1 << 24,
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Built-in constants and functions that give a vector.
+
+use super::{Evaluator, Number};
+use crate::diag::SourceResult;
+use crate::math::{DVec3, Transform};
+use crate::syntax::Keyword;
+
+impl Evaluator<'_> {
+    /// The value of a vector constant or function; `None`, and nothing taken, for other words.
+    pub(super) fn vector_function(&mut self, keyword: Keyword) -> SourceResult<Option<Number>> {
+        let literal = |n: u8, v: [f64; 5]| Some(Number { n, v });
+        let constant = match keyword {
+            Keyword::X => literal(3, [1.0, 0.0, 0.0, 0.0, 0.0]),
+            Keyword::Y => literal(3, [0.0, 1.0, 0.0, 0.0, 0.0]),
+            Keyword::Z => literal(3, [0.0, 0.0, 1.0, 0.0, 0.0]),
+            Keyword::U => literal(2, [1.0, 0.0, 0.0, 0.0, 0.0]),
+            Keyword::V => literal(2, [0.0, 1.0, 0.0, 0.0, 0.0]),
+            Keyword::T => literal(4, [0.0, 0.0, 0.0, 1.0, 0.0]),
+            _ => None,
+        };
+        if constant.is_some() {
+            self.take();
+            return Ok(constant);
+        }
+        let span = self.span();
+        let vector = match keyword {
+            Keyword::Vcross => {
+                self.take();
+                let [a, b] = self.vectors()?;
+                a.cross(b)
+            }
+            Keyword::Vnormalize => {
+                self.take();
+                let [a] = self.vectors()?;
+                if a == DVec3::ZERO {
+                    self.warn_here("vnormalize", span, "a vector of length zero cannot be normalised; it stays zero");
+                    a
+                } else {
+                    a / a.length()
+                }
+            }
+            Keyword::Vrotate => {
+                self.take();
+                let [v, degrees] = self.vectors()?;
+                Transform::rotation_deg(degrees).vector(v)
+            }
+            Keyword::VaxisRotate => {
+                self.take();
+                self.arguments(Self::axis_rotation)?
+            }
+            Keyword::Vturbulence => {
+                self.take();
+                self.turbulence()?
+            }
+            Keyword::Trace => {
+                self.take();
+                self.trace()?
+            }
+            Keyword::MinExtent | Keyword::MaxExtent => {
+                self.take();
+                self.extent(keyword == Keyword::MaxExtent)?
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some(Number::vector(vector)))
+    }
+
+    /// `vaxis_rotate(v, axis, degrees)`; a zero axis gives NaN.
+    fn axis_rotation(&mut self) -> SourceResult<DVec3> {
+        let v = self.vector()?;
+        self.comma()?;
+        let axis = self.vector()?;
+        self.comma()?;
+        let (sin, cos) = self.float()?.to_radians().sin_cos();
+        let n = axis / axis.length();
+        Ok(v * cos + n.cross(v) * sin + n * (n.dot(v) * (1.0 - cos)))
+    }
+
+    /// `vturbulence(lambda, omega, octaves, point)`.
+    fn turbulence(&mut self) -> SourceResult<DVec3> {
+        let span = self.last_span;
+        self.arguments(|e| {
+            e.float()?;
+            e.comma()?;
+            e.float()?;
+            e.comma()?;
+            e.float()?;
+            e.comma()?;
+            e.vector()
+        })?;
+        self.error(span, "vturbulence is not supported yet")
+    }
+}

@@ -1,0 +1,173 @@
+//! Pictures that scenes use: any format in, plain numbers out.
+
+use super::{ImageError, read_exr};
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
+use std::io::Cursor;
+use std::path::Path;
+
+/// A decoded file: its numbers as they stand there, 0 to 1 for integer formats.
+#[derive(Clone, Debug, Default)]
+pub struct Pixels {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// Height x width, row-major, top row first.
+    pub rgba: Vec<[f32; 4]>,
+    /// Palette index of each pixel, for palette pictures.
+    pub indices: Option<Vec<u8>>,
+    /// Whether the file carries alpha.
+    pub has_alpha: bool,
+    /// Colours are multiplied by alpha.
+    pub premultiplied: bool,
+    /// Grey of at most 8 bits without alpha in a PNG.
+    pub grey8: bool,
+    /// The file says that its values are sRGB.
+    pub srgb: bool,
+    /// The file says which power of its values is linear light.
+    pub gamma: Option<f64>,
+}
+
+/// Reads a picture; `kind` is the language's name of its type (`png`, `gif`, `tga`, `bmp`, `pnm`, `jpeg`,
+/// `tiff`, `exr`, `hdr`).
+///
+/// # Errors
+/// [`ImageError`] naming the file.
+pub fn decode(path: &Path, kind: &str) -> Result<Pixels, ImageError> {
+    if kind == "exr" {
+        let picture = read_exr(path)?;
+        let has_alpha = picture.has_alpha;
+        let (width, height, rgba) = (picture.width, picture.height, picture.pixels);
+        return Ok(Pixels { width, height, rgba, has_alpha, premultiplied: true, ..Pixels::default() });
+    }
+    let format = match kind {
+        "png" => ImageFormat::Png,
+        "gif" => ImageFormat::Gif,
+        "tga" => ImageFormat::Tga,
+        "bmp" => ImageFormat::Bmp,
+        "pnm" => ImageFormat::Pnm,
+        "jpeg" => ImageFormat::Jpeg,
+        "tiff" => ImageFormat::Tiff,
+        "hdr" => ImageFormat::Hdr,
+        other => {
+            return Err(ImageError::Unsupported(path.to_owned(), format!("no reader for pictures of type {other}")));
+        }
+    };
+    let bytes = std::fs::read(path).map_err(|e| ImageError::Io(path.to_owned(), e))?;
+    let invalid = |e: image::ImageError| ImageError::Invalid(path.to_owned(), e.to_string());
+    let mut reader = ImageReader::with_format(Cursor::new(&bytes), format);
+    let mut limits = image::Limits::default();
+    limits.max_alloc = Some(2 << 30);
+    reader.limits(limits);
+    let decoder = reader.into_decoder().map_err(invalid)?;
+    let original = decoder.original_color_type();
+    let image = DynamicImage::from_decoder(decoder).map_err(invalid)?;
+    let mut pixels = to_pixels(&image);
+    match kind {
+        "png" => read_png_chunks(&bytes, &mut pixels, original),
+        "gif" => read_gif_indices(&bytes, &mut pixels),
+        "tiff" => pixels.premultiplied = true,
+        _ => {}
+    }
+    Ok(pixels)
+}
+
+fn to_pixels(image: &DynamicImage) -> Pixels {
+    let has_alpha = image.color().has_alpha();
+    let rgba: Vec<[f32; 4]> = image.to_rgba32f().pixels().map(|p| p.0).collect();
+    Pixels { width: image.width() as usize, height: image.height() as usize, rgba, has_alpha, ..Pixels::default() }
+}
+
+/// What the chunks before the pixels say; a damaged file has been refused before.
+fn read_png_chunks(bytes: &[u8], pixels: &mut Pixels, original: image::ExtendedColorType) {
+    use image::ExtendedColorType as C;
+    pixels.grey8 = matches!(original, C::L1 | C::L2 | C::L4 | C::L8);
+    let mut rest = bytes.get(8..).unwrap_or_default();
+    let (mut palette, mut transparent) = (None, None);
+    while let Some((header, body)) = rest.split_at_checked(8) {
+        let length = u32::from_be_bytes([header[0], header[1], header[2], header[3]]) as usize;
+        let Some(data) = body.get(..length) else { break };
+        match &header[4..] {
+            b"IHDR" if data.get(9) == Some(&3) => palette = Some(Vec::new()),
+            b"sRGB" => pixels.srgb = true,
+            b"gAMA" if length == 4 => {
+                let stored = u32::from_be_bytes([data[0], data[1], data[2], data[3]]);
+                pixels.gamma = (stored > 0).then(|| 100_000.0 / f64::from(stored));
+            }
+            b"PLTE" if palette.is_some() => palette = Some(data.as_chunks::<3>().0.to_vec()),
+            b"tRNS" => transparent = Some(data.to_vec()),
+            b"IDAT" => break,
+            _ => {}
+        }
+        rest = body.get(length + 4..).unwrap_or_default();
+    }
+    if let Some(palette) = palette {
+        let alpha = transparent.unwrap_or_default();
+        let entries = palette.iter().enumerate().map(|(i, c)| [c[0], c[1], c[2], alpha.get(i).copied().unwrap_or(255)]);
+        pixels.indices = Some(indices_of(&pixels.rgba, entries));
+        pixels.grey8 = false;
+        // A palette picture always counts as having alpha.
+        pixels.has_alpha = true;
+    }
+}
+
+fn read_gif_indices(bytes: &[u8], pixels: &mut Pixels) {
+    let Some(&flags) = bytes.get(10) else { return };
+    if flags & 0x80 != 0 {
+        let n = 2usize << (flags & 7);
+        let table = bytes.get(13..13 + 3 * n).unwrap_or_default();
+        let entries = table.as_chunks::<3>().0.iter().map(|c| [c[0], c[1], c[2], 255]);
+        pixels.indices = Some(indices_of(&pixels.rgba, entries));
+    }
+}
+
+/// Finds each pixel's palette entry by its colour; of equal entries the first.
+fn indices_of(rgba: &[[f32; 4]], entries: impl Iterator<Item = [u8; 4]>) -> Vec<u8> {
+    let mut table = rustc_hash::FxHashMap::default();
+    for (i, entry) in entries.enumerate().take(256) {
+        table.entry(entry).or_insert(i as u8);
+    }
+    let bytes = |p: &[f32; 4]| p.map(|v| (v * 255.0).round() as u8);
+    let find = |p: &[f32; 4]| {
+        let [r, g, b, a] = bytes(p);
+        table.get(&[r, g, b, a]).or_else(|| table.get(&[r, g, b, 255])).copied().unwrap_or(0)
+    };
+    rgba.iter().map(find).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(image: DynamicImage, name: &str, kind: &str, expected: [f32; 4]) -> Pixels {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(name);
+        image.save(&path).unwrap();
+        let pixels = decode(&path, kind).unwrap();
+        let found = pixels.rgba[0];
+        found.iter().zip(expected).for_each(|(f, e)| assert!((f - e).abs() < 1e-6, "{name}: {found:?}"));
+        pixels
+    }
+
+    #[test]
+    fn every_format_gives_its_numbers() {
+        let rgb = || DynamicImage::from(image::RgbImage::from_pixel(2, 2, image::Rgb([255, 51, 0])));
+        for (name, kind) in [("a.png", "png"), ("a.bmp", "bmp"), ("a.tga", "tga"), ("a.ppm", "pnm"), ("a.tiff", "tiff")]
+        {
+            assert!(!check(rgb(), name, kind, [1.0, 0.2, 0.0, 1.0]).grey8);
+        }
+        let grey = DynamicImage::from(image::GrayImage::from_pixel(2, 2, image::Luma([51])));
+        assert!(check(grey, "g.png", "png", [0.2, 0.2, 0.2, 1.0]).grey8);
+        let gif = DynamicImage::from(image::RgbaImage::from_pixel(2, 2, image::Rgba([255, 51, 0, 255])));
+        check(gif, "a.gif", "gif", [1.0, 0.2, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn other_files_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        std::fs::write(&path, b"no picture").unwrap();
+        assert!(decode(&path, "png").is_err());
+        assert!(decode(Path::new("missing.png"), "png").is_err());
+    }
+}

@@ -1,0 +1,152 @@
+//! Sky for rays that meet nothing; rainbows and fog for all.
+//!
+//! Source: section 6 of the camera and image facts (measured).
+
+use super::ray::{Path, Radiance};
+use super::tracer::Tracer;
+use crate::compiled::atmosphere::{Fog, Rainbow};
+use crate::compiled::geometry::RayKind;
+use crate::compiled::texture::Context;
+use crate::math::{Color, DVec3, Ray, Rgb, gray};
+
+/// POV-Ray's own limit for ground fog that keeps its height.
+const LEVEL: f64 = 1e-10;
+
+impl Tracer<'_> {
+    /// What a ray sees that meets nothing.
+    pub(super) fn sky(&self, path: &Path) -> Radiance {
+        let atmosphere = &self.world.atmosphere;
+        let mut filter = Rgb::ONE;
+        let mut rgb = Rgb::ZERO;
+        if let Some(sky) = &atmosphere.sky {
+            let direction = path.ray.direction;
+            let point = sky.sky_from_world.point(direction);
+            let context = Context { direction, normal: direction, point, ..Context::default() };
+            for pigment in sky.pigments.iter().rev() {
+                let color = pigment.color_or_clear(point, &context);
+                rgb += color.rgb * color.opacity() * filter * sky.emission;
+                filter *= color.transmittance();
+            }
+        }
+        let shows_through = self.options.alpha && path.kind != RayKind::Reflected;
+        let background = match atmosphere.background {
+            Some(color) if shows_through => color,
+            // Without alpha a transparent background is that much darker.
+            Some(color) if !self.options.alpha => Color { rgb: color.rgb * (1.0 - color.transmit), ..Color::BLACK },
+            Some(color) => Color { rgb: color.rgb, ..Color::BLACK },
+            None if shows_through => Color { transmit: 1.0, ..Color::BLACK },
+            None => Color::BLACK,
+        };
+        rgb += background.rgb * background.opacity() * filter;
+        filter *= background.transmittance();
+        Radiance { rgb, transparency: gray(filter).abs().min(1.0) }
+    }
+
+    /// Rainbows and fog along a ray, unless it runs inside a solid object.
+    pub(super) fn through_atmosphere(&mut self, path: &Path, length: f64, radiance: Radiance) -> Radiance {
+        let atmosphere = &self.world.atmosphere;
+        let empty = atmosphere.fogs.is_empty() && atmosphere.rainbows.is_empty();
+        if empty || !self.options.atmosphere() || !path.interiors.iter().all(|i| i.hollow) {
+            return radiance;
+        }
+        let mut radiance = radiance;
+        if !atmosphere.rainbows.is_empty() {
+            radiance = self.rainbows(path, length, radiance);
+        }
+        let mut factor = Rgb::ONE;
+        let mut added = Rgb::ZERO;
+        for fog in &atmosphere.fogs {
+            let k = fog_transmittance(fog, &path.ray, length);
+            factor *= k * (Rgb::splat(1.0 - fog.color.filter) + fog.color.filter * fog.color.rgb);
+            added += (1.0 - k) * fog.color.rgb;
+        }
+        Radiance { rgb: factor * radiance.rgb + added, transparency: radiance.transparency * gray(factor) }
+    }
+
+    fn rainbows(&mut self, path: &Path, length: f64, radiance: Radiance) -> Radiance {
+        let world = self.world;
+        let mut sum = Rgb::ZERO;
+        let mut transparency = radiance.transparency;
+        let mut n = 0.0;
+        for rainbow in &world.atmosphere.rainbows {
+            let jitter = if rainbow.jitter == 0.0 { 0.0 } else { rainbow.jitter * (2.0 * self.random.unit() - 1.0) };
+            let Some((index, fade)) = rainbow_index(rainbow, path.ray.direction, jitter) else { continue };
+            let color = rainbow.pigment.color_or_clear(DVec3::new(index, 0.0, 0.0), &Context::default());
+            let floor = fade * (1.0 - color.transmit) + color.transmit;
+            let k = ((-length / rainbow.distance).exp() as f32).max(floor);
+            let filter = color.filter * (1.0 - k);
+            let tinted = radiance.rgb * (Rgb::splat(1.0 - filter) + filter * color.rgb);
+            sum += k * tinted + (1.0 - k) * color.rgb;
+            transparency *= k * color.transmit;
+            n += 1.0;
+        }
+        if n == 0.0 { radiance } else { Radiance { rgb: sum / n, transparency } }
+    }
+}
+
+/// Position in the band and how far the arc has faded.
+fn rainbow_index(rainbow: &Rainbow, direction: DVec3, jitter: f64) -> Option<(f64, f32)> {
+    let along = direction.dot(rainbow.direction);
+    let (x, y) = (direction.dot(rainbow.right), direction.dot(rainbow.up));
+    let beta = (y / x.hypot(y)).clamp(-1.0, 1.0).acos().abs();
+    if along < 0.0 || beta > rainbow.arc {
+        return None;
+    }
+    let from = rainbow.angle - 0.5 * rainbow.width;
+    let index = (along.clamp(-1.0, 1.0).acos() - from) / rainbow.width + jitter;
+    if !(0.0..=1.0 - LEVEL).contains(&index) {
+        return None;
+    }
+    let fade = if beta > rainbow.falloff && rainbow.arc > rainbow.falloff {
+        let z = (beta - rainbow.falloff) / (rainbow.arc - rainbow.falloff);
+        (z * z * (3.0 - 2.0 * z)) as f32
+    } else {
+        0.0
+    };
+    Some((index, fade))
+}
+
+/// What part of the light comes through a fog.
+fn fog_transmittance(fog: &Fog, ray: &Ray, length: f64) -> f32 {
+    let mean = if fog.ground { mean_density(fog, ray, length) } else { 1.0 };
+    ((-length * mean / fog.distance).exp() as f32).max(fog.color.transmit)
+}
+
+/// Mean density of a ground fog along a ray, 1 below its offset.
+fn mean_density(fog: &Fog, ray: &Ray, length: f64) -> f64 {
+    let height = |p: DVec3| (p.dot(fog.up) - fog.offset) / fog.altitude;
+    let (a, e) = (height(ray.origin), height(ray.at(length)));
+    let partly = |low: f64, high: f64| (high.atan() - low) / (high - low);
+    match (a > 0.0, e > 0.0) {
+        (false, false) => 1.0,
+        (false, true) => partly(a, e),
+        (true, false) => partly(e, a),
+        (true, true) if (a - e).abs() > LEVEL => (a.atan() - e.atan()) / (a - e),
+        (true, true) => 1.0 / (a * a + 1.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A plane of colour <.2,.4,.8> at distance 4 of a height-3 camera looking along a slope.
+    fn check(ground: bool, slope: f64, expected: f32) {
+        let fog =
+            Fog { ground, distance: 10.0, color: Color::rgb(0.5, 0.5, 0.5), offset: 0.5, altitude: 2.0, up: DVec3::Y };
+        let direction = DVec3::new(slope, slope, 1.0);
+        let length = 4.0 * direction.length();
+        let ray = Ray::new(DVec3::new(0.0, 3.0, 0.0), direction.normalize());
+        let k = fog_transmittance(&fog, &ray, length);
+        let red = k * 0.2 + (1.0 - k) * 0.5;
+        // The facts give four decimals.
+        assert!((red - expected).abs() < 6e-5, "{red} instead of {expected}");
+    }
+
+    #[test]
+    fn fog_is_that_of_povray() {
+        check(false, 0.0, 0.2989);
+        check(true, 0.5, 0.2354);
+        check(true, -0.5, 0.2819);
+    }
+}

@@ -1,0 +1,216 @@
+//! A hit's texture: maps resolved, layers shaded from the top, then what comes through and what is mirrored.
+//!
+//! Source: sections 2 and 6 of the shading facts (measured).
+
+use super::finish::{self, Reflectivity};
+use super::lights::LightCache;
+use super::ray::{Path, Radiance};
+use super::tracer::Tracer;
+use crate::compiled::geometry::Surface;
+use crate::compiled::texture::{Context, Frame, Layer, Pick, Texture};
+use crate::math::{Color, DVec3, Rgb, gray};
+use smallvec::SmallVec;
+
+/// Where shading happens: a ray, the surface it met, and what is worked out once for all layers.
+pub(super) struct Place<'p, 's> {
+    pub(super) path: &'p Path,
+    pub(super) surface: &'p Surface<'s>,
+    /// Unit shading normal on the side of the ray.
+    pub(super) facing: DVec3,
+    pub(super) context: Context,
+    /// Length of the ray up to here.
+    pub(super) length: f64,
+    pub(super) lights: LightCache,
+}
+
+impl<'p, 's> Place<'p, 's> {
+    pub(super) fn new(
+        path: &'p Path,
+        surface: &'p Surface<'s>,
+        facing: DVec3,
+        context: Context,
+        length: f64,
+        n_lights: usize,
+    ) -> Self {
+        Self { path, surface, facing, context, length, lights: LightCache::new(n_lights) }
+    }
+
+    /// Unit direction of the ray.
+    pub(super) fn direction(&self) -> DVec3 {
+        self.path.ray.direction
+    }
+}
+
+/// A mirror reflection that is left for later.
+struct Mirror<'t> {
+    layer: &'t Layer,
+    normal: DVec3,
+    reflectivity: Reflectivity,
+    /// Share of the layer in the picture: what the layers above let through.
+    visibility: f32,
+}
+
+/// What part of a layer counts, at most all of it.
+fn share(filter: Rgb) -> f32 {
+    gray(filter).abs().min(1.0)
+}
+
+impl Tracer<'_> {
+    /// The light from a texture at a point of its containing space.
+    ///
+    /// `plain` holds for textures that no pattern chose; only those obey legacy finish keywords.
+    pub(super) fn shade_texture(
+        &mut self,
+        texture: &Texture,
+        point: DVec3,
+        frame: &Frame,
+        place: &mut Place<'_, '_>,
+        plain: bool,
+    ) -> Radiance {
+        let patterned = match texture {
+            Texture::Layers(layers) => return self.shade_layers(layers, point, frame, place, plain),
+            Texture::Patterned(patterned) => patterned,
+        };
+        let (pick, warped) = patterned.pattern.pick(&patterned.items, point, &place.context);
+        let point = if patterned.uv_mapping { place.context.uv_point() } else { warped };
+        let mut frame = frame.clone();
+        frame.enter(&patterned.pattern, patterned.no_bump_scale);
+        match pick {
+            Pick::One(item) => self.shade_texture(item, point, &frame, place, false),
+            Pick::Two(lower, upper, t) => {
+                let mut mixed = self.shade_texture(upper, point, &frame, place, false).scaled(t);
+                mixed.add_scaled(self.shade_texture(lower, point, &frame, place, false), 1.0 - t);
+                mixed
+            }
+            Pick::All(items) => {
+                let mut sum = Radiance::BLACK;
+                for (weight, item) in items {
+                    sum.add_scaled(self.shade_texture(item, point, &frame, place, false), *weight);
+                }
+                sum
+            }
+        }
+    }
+
+    fn shade_layers(
+        &mut self,
+        layers: &[Layer],
+        point: DVec3,
+        frame: &Frame,
+        place: &mut Place<'_, '_>,
+        plain: bool,
+    ) -> Radiance {
+        let bailout = self.world.settings.adc_bailout;
+        let legacy = layers.last().filter(|_| plain).map(|top| &top.finish);
+        let substance = self.substance(place.surface, legacy);
+        let relative_ior = super::refraction::relative_ior(&place.path.interiors, &substance);
+        let mut mirrors: SmallVec<[Mirror<'_>; 2]> = SmallVec::new();
+        let mut filter = Rgb::ONE;
+        let mut sum = Rgb::ZERO;
+        let mut top_normal = place.facing;
+        for (depth, layer) in layers.iter().rev().enumerate() {
+            if share(filter) <= bailout {
+                break;
+            }
+            let normal = self.layer_normal(layer, point, frame, place);
+            if depth == 0 {
+                top_normal = normal;
+            }
+            let found = self.layer_color(layer, point, normal, place);
+            let color = found.unwrap_or_default();
+            if self.options.flat() {
+                return Radiance { rgb: color.rgb, transparency: 0.0 };
+            }
+            let cosine = -place.direction().dot(normal);
+            let reflectivity = finish::reflectivity(&layer.finish, color.rgb, cosine, relative_ior);
+            if let Some(reflectivity) = reflectivity {
+                mirrors.push(Mirror { layer, normal, reflectivity, visibility: share(filter) });
+            }
+            sum += filter * self.own_light(layer, normal, &color, place);
+            if let Some(color) = found {
+                filter *= color.transmittance();
+                if layer.finish.conserve_energy {
+                    let reflected = reflectivity.map_or(Rgb::ZERO, |r| r.tint);
+                    filter *= (Rgb::ONE - reflected).min(Rgb::ONE);
+                }
+            }
+        }
+        let mut radiance = Radiance { rgb: sum, transparency: 0.0 };
+        let mut mirrored_within = None;
+        if share(filter) > bailout && self.options.refraction() {
+            let top_finish = layers.last().map(|top| &top.finish);
+            let through = self.transmit(place, &substance, top_normal, filter, top_finish);
+            radiance.add_scaled(through.radiance, 1.0);
+            mirrored_within = through.total_reflection.then_some(top_normal);
+        }
+        if self.options.reflection_and_normals() {
+            // POV-Ray's own limit for normals that agree.
+            let same = |a: DVec3, b: DVec3| (a - b).abs().max_element() < 1e-10;
+            for mirror in mirrors.iter().filter(|m| !mirrored_within.is_some_and(|n| same(n, m.normal))) {
+                radiance.rgb += self.mirror(mirror, place);
+            }
+        }
+        radiance
+    }
+
+    fn layer_normal(&self, layer: &Layer, point: DVec3, frame: &Frame, place: &Place<'_, '_>) -> DVec3 {
+        match &layer.normal {
+            Some(normal) if self.options.reflection_and_normals() => {
+                normal.perturb(place.facing, point, frame, &place.context)
+            }
+            _ => place.facing,
+        }
+    }
+
+    fn layer_color(&self, layer: &Layer, point: DVec3, normal: DVec3, place: &Place<'_, '_>) -> Option<Color> {
+        if let (true, Some(quick)) = (self.options.quick_colors(), layer.quick_color) {
+            return Some(quick);
+        }
+        layer.pigment.color(point, &Context { perturbed_normal: normal, ..place.context })
+    }
+
+    /// Ambient, emission and what lights add, by one layer.
+    fn own_light(&mut self, layer: &Layer, normal: DVec3, color: &Color, place: &mut Place<'_, '_>) -> Rgb {
+        let opacity = if self.world.settings.legacy_opacity {
+            1.0 - color.filter * color.rgb.max_element() - color.transmit
+        } else {
+            color.opacity()
+        };
+        let own = color.rgb * layer.finish.own_light * opacity;
+        if layer.finish.uses_lights {
+            own + self.direct_light(&layer.finish, normal, color, opacity, place)
+        } else {
+            own
+        }
+    }
+
+    /// One layer's mirror image.
+    fn mirror(&mut self, mirror: &Mirror<'_>, place: &Place<'_, '_>) -> Rgb {
+        let direction = reflected(place.direction(), mirror.normal, place.facing);
+        let weight = place.path.weight * mirror.visibility * mirror.reflectivity.importance;
+        let mut light = self.reflect(place, direction, weight).rgb;
+        let finish = &mirror.layer.finish;
+        if finish.irid_amount != 0.0 {
+            light *=
+                finish::irid(finish, self.world.settings.irid_wavelength, direction, mirror.normal, place.direction());
+        }
+        let exponent = mirror.reflectivity.exponent;
+        if exponent != 1.0 {
+            let power = |v: f32| v.signum() * v.abs().powf(1.0 / exponent);
+            light = Rgb::new(power(light.x), power(light.y), power(light.z));
+        }
+        light * mirror.reflectivity.tint
+    }
+}
+
+/// Mirror direction, kept on the ray's side of the surface.
+///
+/// Source: section 7.3 of the shading facts.
+pub(super) fn reflected(direction: DVec3, normal: DVec3, facing: DVec3) -> DVec3 {
+    let about = |v: DVec3, n: DVec3| v - 2.0 * v.dot(n) * n;
+    let mut mirrored = about(direction, normal);
+    if mirrored.dot(facing) < 0.0 {
+        mirrored = if mirrored.dot(normal) < 0.0 { about(direction, facing) } else { about(mirrored, facing) };
+    }
+    mirrored.normalize_or(facing)
+}

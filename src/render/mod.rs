@@ -1,0 +1,27 @@
+//! From a compiled world to pixels: camera rays, recursion, shading, antialiasing, blocks.
+//!
+//! The same world and options give the same bits for any number of threads: nothing depends
+//! on which thread works on a block, and every random choice comes from the position of the
+//! camera ray. Rendering cannot fail.
+
+mod antialias;
+mod atmosphere;
+mod blocks;
+mod camera;
+mod dispersion;
+mod finish;
+mod focal_blur;
+mod jitter;
+mod layers;
+mod lights;
+mod options;
+mod random;
+mod ray;
+mod refraction;
+mod shadow;
+mod tracer;
+
+pub use antialias::{Antialias, Method};
+pub use blocks::{Progress, Rendered, render};
+pub use options::Options;
+pub use ray::{Radiance, Statistics};

@@ -1,0 +1,202 @@
+//! What is in the way of light.
+//!
+//! Source: sections 3.5, 3.6 and 4 of the shading facts (measured).
+
+use super::layers::Place;
+use super::ray::Inside;
+use super::tracer::Tracer;
+use crate::compiled::geometry::{RayKind, Surface};
+use crate::compiled::light::{Area, Arrival, Light, is_dark};
+use crate::compiled::texture::{Context, Frame, Pick, Texture};
+use crate::math::{DVec3, Range, Ray, Rgb};
+
+/// How near to a light a surface may be and still not shade it, as a share of the distance: a
+/// light that stands on a surface is meant to shine, and a millionth is far above rounding.
+const LIGHT_MARGIN: f64 = 1e-6;
+
+/// POV-Ray's distance by which a blocker must be nearer than the object a light is projected through.
+const PROJECTION_MARGIN: f64 = 0.001;
+
+/// POV-Ray's largest difference of neighbouring samples that is not subdivided.
+const AREA_THRESHOLD: f32 = 0.1;
+
+impl Tracer<'_> {
+    /// The colour of a light at a place after everything in its way.
+    ///
+    /// With `bare` the light's own colour is filtered, without cone and fade: for lights whose
+    /// samples each have their own.
+    pub(super) fn shadowed(&mut self, place: &Place<'_, '_>, light: &Light, arrival: &Arrival, bare: bool) -> Rgb {
+        let color = if bare { light.color } else { arrival.color };
+        let mut reach = arrival.distance;
+        if let Some(window) = &light.projected_through {
+            let (ray, range) = place.surface.leave(arrival.direction);
+            let range = Range { max: arrival.distance, ..range };
+            match window.intersect(&ray, range, RayKind::Shadow, &mut self.scratch) {
+                Some(hit) => reach = hit.t - PROJECTION_MARGIN,
+                None => return Rgb::ZERO,
+            }
+        }
+        if light.shadowless || !self.options.shadows() {
+            return color;
+        }
+        match &light.area {
+            Some(area) if self.options.area_lights() && light.projected_through.is_none() => {
+                self.area_shadow(place, light, area, color)
+            }
+            _ => self.filtered(place, arrival.direction, reach, color),
+        }
+    }
+
+    fn area_shadow(&mut self, place: &Place<'_, '_>, light: &Light, area: &Area, color: Rgb) -> Rgb {
+        let axes = area.axes((light.location - place.surface.point).normalize_or(DVec3::Z));
+        let mut grid = AreaShadow { place, light, area, color, axes, known: vec![None; area.n1 * area.n2] };
+        grid.block(self, [0, 0], [area.n1 - 1, area.n2 - 1], 0)
+    }
+
+    /// A colour after all surfaces along a straight way of length `reach`.
+    fn filtered(&mut self, place: &Place<'_, '_>, direction: DVec3, reach: f64, mut color: Rgb) -> Rgb {
+        let geometry = &self.world.geometry;
+        let (mut ray, range) = place.surface.leave(direction);
+        let mut range = Range { max: reach * (1.0 - LIGHT_MARGIN), ..range };
+        self.statistics.shadow_rays += 1;
+        if self.all_opaque {
+            let blocked = geometry.occluded(&ray, range, &mut self.scratch);
+            return if blocked { Rgb::ZERO } else { color };
+        }
+        let mut interiors = None;
+        loop {
+            let Some(hit) = geometry.intersect(&ray, range, RayKind::Shadow, &mut self.scratch) else { return color };
+            let surface = geometry.surface(&ray, &hit);
+            if surface.textures.iter().all(|t| self.world.opaque[t.texture.0 as usize]) {
+                return Rgb::ZERO;
+            }
+            let interiors = interiors.get_or_insert_with(|| place.path.interiors.clone());
+            color *= self.surface_transmittance(&surface, &ray) * self.leaving_fade(&surface, hit.t, interiors);
+            if is_dark(color) {
+                return Rgb::ZERO;
+            }
+            let left = range.max - hit.t;
+            (ray, range) = surface.leave(direction);
+            range.max = left;
+            self.statistics.shadow_rays += 1;
+        }
+    }
+
+    /// Attenuation inside the object that a shadow ray leaves here; keeps the list of objects.
+    fn leaving_fade(&self, surface: &Surface<'_>, length: f64, interiors: &mut super::ray::Interiors) -> Rgb {
+        let interior = self.world.interior(surface.interior.interior);
+        match interiors.iter().position(|i| i.key == surface.interior) {
+            Some(at) => {
+                interiors.remove(at);
+                let fade = interior.fade.filter(|f| f.power > 0.0);
+                fade.map_or(Rgb::ONE, |f| f.transmittance(length))
+            }
+            None => {
+                let (key, hollow) = (surface.interior, surface.hollow);
+                interiors.push(Inside { key, hollow, ior: interior.ior, dispersion: interior.dispersion });
+                Rgb::ONE
+            }
+        }
+    }
+
+    /// What all textures of a surface let through.
+    fn surface_transmittance(&mut self, surface: &Surface<'_>, ray: &Ray) -> Rgb {
+        let direction = ray.direction;
+        let facing = if surface.normal.dot(direction) > 0.0 { -surface.normal } else { surface.normal };
+        let context =
+            Context { uv: surface.uv, normal: facing, perturbed_normal: facing, direction, point: surface.point };
+        let caustics = self.world.interior(surface.interior.interior).caustics;
+        let mut sum = Rgb::ZERO;
+        for seen in &surface.textures {
+            let texture = self.world.texture(seen.texture);
+            let (point, frame) = if surface.uv_mapping {
+                (context.uv_point(), Frame::default())
+            } else {
+                (seen.texture_from_world.point(surface.point), Frame::new(&seen.texture_from_world))
+            };
+            let caustics = texture.top_layer().and_then(|top| top.finish.caustics).unwrap_or(caustics);
+            sum += seen.weight * self.transmittance(texture, point, &frame, &context, caustics);
+        }
+        sum
+    }
+
+    fn transmittance(&self, texture: &Texture, point: DVec3, frame: &Frame, context: &Context, caustics: f64) -> Rgb {
+        let layers = match texture {
+            Texture::Layers(layers) => layers,
+            Texture::Patterned(patterned) => {
+                let (pick, warped) = patterned.pattern.pick(&patterned.items, point, context);
+                let point = if patterned.uv_mapping { context.uv_point() } else { warped };
+                let mut frame = frame.clone();
+                frame.enter(&patterned.pattern, patterned.no_bump_scale);
+                let of = |item: &Texture| self.transmittance(item, point, &frame, context, caustics);
+                return match pick {
+                    Pick::One(item) => of(item),
+                    Pick::Two(lower, upper, t) => of(lower).lerp(of(upper), t),
+                    Pick::All(items) => items.iter().map(|(w, item)| *w * of(item)).sum(),
+                };
+            }
+        };
+        let mut filter = Rgb::ONE;
+        for layer in layers.iter().rev() {
+            let quick = layer.quick_color.filter(|_| self.options.quick_colors());
+            if let Some(color) = quick.or_else(|| layer.pigment.color(point, context)) {
+                filter *= color.transmittance();
+            }
+            if caustics != 0.0 {
+                let normal = match &layer.normal {
+                    Some(normal) => normal.perturb(context.normal, point, frame, context),
+                    None => context.normal,
+                };
+                filter *= 1.0 + normal.dot(context.direction).abs().powf(caustics) as f32;
+            }
+        }
+        filter
+    }
+}
+
+/// A grid of lights seen from one place; each sample is looked at once.
+struct AreaShadow<'a, 'p, 's> {
+    place: &'a Place<'p, 's>,
+    light: &'a Light,
+    area: &'a Area,
+    color: Rgb,
+    axes: (DVec3, DVec3),
+    known: Vec<Option<Rgb>>,
+}
+
+impl AreaShadow<'_, '_, '_> {
+    fn sample(&mut self, tracer: &mut Tracer<'_>, i: usize, j: usize) -> Rgb {
+        let at = j * self.area.n1 + i;
+        if let Some(known) = self.known[at] {
+            return known;
+        }
+        let (a, b) = tracer.jittered(self.area, i, j);
+        let source = self.light.location + self.area.offset(a, b, self.axes);
+        let (direction, distance) = self.light.toward(self.place.surface.point, source);
+        let found = tracer.filtered(self.place, direction, distance, self.color);
+        self.known[at] = Some(found);
+        found
+    }
+
+    /// Mean over a block of the grid: of its corners if they agree, else of its quarters.
+    fn block(&mut self, tracer: &mut Tracer<'_>, low: [usize; 2], high: [usize; 2], depth: u32) -> Rgb {
+        let corners = [[low[0], low[1]], [high[0], low[1]], [low[0], high[1]], [high[0], high[1]]];
+        let mut values = corners.map(|[i, j]| self.sample(tracer, i, j));
+        let long = high[0] - low[0] > 1 || high[1] - low[1] > 1;
+        let differ = |a: usize, b: usize| {
+            let d = (values[a] - values[b]).abs();
+            d.x + d.y + d.z > AREA_THRESHOLD
+        };
+        if long && (depth < self.area.adaptive || differ(0, 1) || differ(2, 3) || differ(0, 2) || differ(1, 3)) {
+            let below = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
+            let above = [(low[0] + high[0]).div_ceil(2), (low[1] + high[1]).div_ceil(2)];
+            values = [
+                self.block(tracer, low, below, depth + 1),
+                self.block(tracer, [above[0], low[1]], [high[0], below[1]], depth + 1),
+                self.block(tracer, [low[0], above[1]], [below[0], high[1]], depth + 1),
+                self.block(tracer, above, high, depth + 1),
+            ];
+        }
+        0.25 * (values[0] + values[1] + values[2] + values[3])
+    }
+}

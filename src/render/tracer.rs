@@ -1,0 +1,131 @@
+//! One worker: sends a ray, shades what it meets.
+
+use super::camera::RawRay;
+use super::focal_blur::Lens;
+use super::layers::Place;
+use super::options::Options;
+use super::random::Random;
+use super::ray::{Inside, Interiors, Path, Radiance, Statistics};
+use crate::compiled::World;
+use crate::compiled::camera::Projection;
+use crate::compiled::geometry::{Hit, RayKind, Scratch};
+use crate::compiled::texture::{Context, Frame};
+use crate::math::{DVec3, Range, Ray};
+use std::rc::Rc;
+
+/// POV-Ray's distance within which a camera ray meets nothing.
+const CAMERA_NEAR: f64 = 1e-4;
+/// POV-Ray's length of a ray that meets nothing, for fog.
+const MISS_LENGTH: f64 = 2e10;
+
+/// The state of one worker; owns its buffers, shares the world.
+pub(super) struct Tracer<'w> {
+    pub(super) world: &'w World,
+    pub(super) options: &'w Options,
+    pub(super) scratch: Scratch,
+    pub(super) random: Random,
+    pub(super) statistics: Statistics,
+    /// Whether shadow rays need no more than a yes or no.
+    pub(super) all_opaque: bool,
+    /// Where the camera is, for projections with one centre.
+    camera_interiors: Option<Interiors>,
+    /// Of a camera with depth of field.
+    pub(super) lens: Option<Rc<Lens>>,
+}
+
+impl<'w> Tracer<'w> {
+    pub(super) fn new(world: &'w World, options: &'w Options) -> Self {
+        let mut tracer = Self {
+            world,
+            options,
+            scratch: Scratch::default(),
+            random: Random::default(),
+            statistics: Statistics::default(),
+            all_opaque: world.all_opaque(),
+            camera_interiors: None,
+            lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(blur))),
+        };
+        let moving =
+            matches!(world.camera.projection, Projection::Orthographic | Projection::Cylinder { kind: 3 | 4, .. });
+        if !moving && world.camera.blur.is_none() {
+            tracer.camera_interiors = Some(tracer.interiors_at(world.camera.location));
+        }
+        tracer
+    }
+
+    pub(super) fn take_statistics(&mut self) -> Statistics {
+        std::mem::take(&mut self.statistics)
+    }
+
+    /// The light through a continuous image position, pixel centres being integers.
+    pub(super) fn camera_ray(&mut self, x: f64, y: f64) -> Radiance {
+        self.random = Random::at(x, y);
+        let camera = &self.world.camera;
+        if let Some(blur) = &camera.blur {
+            return self.blurred(blur, x, y);
+        }
+        match RawRay::through(camera, x, y, self.options.width, self.options.height) {
+            Some(raw) => self.follow(raw.finish(camera)),
+            None => Radiance { transparency: 1.0, ..Radiance::BLACK },
+        }
+    }
+
+    /// Follows a ray that starts at the camera; its direction is a unit vector.
+    pub(super) fn follow(&mut self, ray: Ray) -> Radiance {
+        self.statistics.camera_rays += 1;
+        let interiors = match &self.camera_interiors {
+            Some(known) => known.clone(),
+            None => self.interiors_at(ray.origin),
+        };
+        let range = Range { min: CAMERA_NEAR, max: f64::INFINITY };
+        let kind = RayKind::Camera;
+        self.trace(&Path { ray, range, kind, level: 1, weight: 1.0, interiors, wavelength: None })
+    }
+
+    fn interiors_at(&self, point: DVec3) -> Interiors {
+        let entry = |key: crate::compiled::geometry::InteriorKey| {
+            let interior = self.world.interior(key.interior);
+            Inside { key, hollow: false, ior: interior.ior, dispersion: interior.dispersion }
+        };
+        self.world.geometry.containing(point).into_iter().map(entry).collect()
+    }
+
+    /// The light that comes along a ray, towards its origin.
+    pub(super) fn trace(&mut self, path: &Path) -> Radiance {
+        if path.weight < self.world.settings.adc_bailout {
+            return Radiance::BLACK;
+        }
+        let hit = self.world.geometry.intersect(&path.ray, path.range, path.kind, &mut self.scratch);
+        let (radiance, length) = match &hit {
+            Some(hit) => (self.shade(path, hit), hit.t),
+            None => (self.sky(path), MISS_LENGTH),
+        };
+        self.through_atmosphere(path, length, radiance)
+    }
+
+    fn shade(&mut self, path: &Path, hit: &Hit) -> Radiance {
+        let world = self.world;
+        let surface = world.geometry.surface(&path.ray, hit);
+        let direction = path.ray.direction;
+        let facing = if surface.normal.dot(direction) > 0.0 { -surface.normal } else { surface.normal };
+        let context =
+            Context { uv: surface.uv, normal: facing, perturbed_normal: facing, direction, point: surface.point };
+        let mut place = Place::new(path, &surface, facing, context, hit.t, world.lights.len());
+        let mut radiance = Radiance::BLACK;
+        for seen in &surface.textures {
+            if seen.weight < world.settings.adc_bailout {
+                continue;
+            }
+            let texture = world.texture(seen.texture);
+            let shaded = if surface.uv_mapping {
+                self.shade_texture(texture, context.uv_point(), &Frame::default(), &mut place, true)
+            } else {
+                let point = seen.texture_from_world.point(surface.point);
+                let frame = Frame::new(&seen.texture_from_world);
+                self.shade_texture(texture, point, &frame, &mut place, true)
+            };
+            radiance.add_scaled(shaded, seen.weight);
+        }
+        radiance
+    }
+}

@@ -1,0 +1,109 @@
+//! One file as tokens, made when they are needed and kept while they are useful.
+
+use super::lexer::tokenise;
+use super::pieces::{Piece, next_piece};
+use super::{Directive, Names, Token, TokenKind};
+use crate::diag::FileId;
+use rustc_hash::FxHashMap;
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// Pieces whose tokens are kept; beyond that the oldest are made again when needed.
+const KEPT_PIECES: usize = 128;
+
+/// A place between two tokens.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Position {
+    /// Which piece.
+    pub piece: u32,
+    /// Which token of it.
+    pub index: u32,
+}
+
+/// The file a cursor runs over.
+#[derive(Debug)]
+pub struct Source {
+    /// Its number in the source map.
+    pub file: FileId,
+    text: Arc<Vec<u8>>,
+    parsed: RefCell<Parsed>,
+}
+
+#[derive(Debug, Default)]
+struct Parsed {
+    pieces: Vec<Piece>,
+    tokens: Vec<Option<Rc<[Token]>>>,
+    kept: VecDeque<usize>,
+    /// Where the branch that starts at a position ends.
+    branch_ends: FxHashMap<Position, (Position, Directive)>,
+}
+
+impl Source {
+    /// Over the bytes of a file, from `skip` on.
+    pub fn new(file: FileId, text: Arc<Vec<u8>>) -> Self {
+        Self { file, text, parsed: RefCell::default() }
+    }
+
+    /// The bytes of the file.
+    pub fn text(&self) -> &Arc<Vec<u8>> {
+        &self.text
+    }
+
+    /// The tokens of piece number `index`; `None` past the end of the file.
+    pub fn tokens(&self, index: usize, names: &mut Names) -> Option<Rc<[Token]>> {
+        let parsed = &mut *self.parsed.borrow_mut();
+        if let Some(Some(tokens)) = parsed.tokens.get(index) {
+            return Some(Rc::clone(tokens));
+        }
+        while parsed.pieces.len() <= index {
+            let start = parsed.pieces.last().map_or_else(|| byte_order_mark(&self.text), |p| p.end);
+            parsed.pieces.push(next_piece(&self.text, start)?);
+            parsed.tokens.push(None);
+        }
+        let tokens: Rc<[Token]> = tokenise(self.file, &self.text, parsed.pieces[index], names).into();
+        parsed.tokens[index] = Some(Rc::clone(&tokens));
+        parsed.kept.push_back(index);
+        if parsed.kept.len() > KEPT_PIECES
+            && let Some(oldest) = parsed.kept.pop_front()
+        {
+            parsed.tokens[oldest] = None;
+        }
+        Some(tokens)
+    }
+
+    /// The directive that ends the branch which starts at `start` (an `#else`, `#elseif`, `#case`,
+    /// `#range` or `#end` of the same nesting) and the position behind it.
+    ///
+    /// # Errors
+    /// The first malformed token on the way, or `None` if the file ends before.
+    pub fn branch_end(&self, start: Position, names: &mut Names) -> Result<(Position, Directive), Option<Token>> {
+        if let Some(known) = self.parsed.borrow().branch_ends.get(&start) {
+            return Ok(*known);
+        }
+        let (mut at, mut depth) = (start, 0_usize);
+        while let Some(tokens) = self.tokens(at.piece as usize, names) {
+            for token in &tokens[(at.index as usize).min(tokens.len())..] {
+                at.index += 1;
+                match token.kind {
+                    TokenKind::Directive(d) if d.opens_block() => depth += 1,
+                    TokenKind::Directive(Directive::End) if depth > 0 => depth -= 1,
+                    TokenKind::Directive(d) if depth == 0 && d.ends_branch() => {
+                        self.parsed.borrow_mut().branch_ends.insert(start, (at, d));
+                        return Ok((at, d));
+                    }
+                    TokenKind::Bad(_) => return Err(Some(*token)),
+                    _ => {}
+                }
+            }
+            at = Position { piece: at.piece + 1, index: 0 };
+        }
+        Err(None)
+    }
+}
+
+/// Length of the leading bytes above 127, a byte order mark, which count as nothing.
+fn byte_order_mark(text: &[u8]) -> usize {
+    text.iter().take_while(|b| **b > 127).count()
+}
