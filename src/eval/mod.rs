@@ -210,7 +210,7 @@ impl<'h> Evaluator<'h> {
             if token.kind == TokenKind::End {
                 break;
             }
-            if !self.hashless_directive()? && !blocks::scene_item(self)? {
+            if !self.hashless_directive()? && !self.scene_item()? {
                 return self.expected("an object, a block or a directive");
             }
             if self.scene.objects.len() > self.options.limits.objects {
