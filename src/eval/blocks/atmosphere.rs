@@ -65,7 +65,7 @@ impl Evaluator<'_> {
                 continue;
             }
             let Some(keyword) = self.keyword()? else {
-                if self.starts_color()? {
+                if self.at_color()? {
                     fog.color = self.color()?;
                 } else if self.starts_expression()? {
                     fog.distance = self.float()?;
@@ -106,7 +106,7 @@ impl Evaluator<'_> {
                 fog.up = self.vector()?.normalize_or(DVec3::Y);
                 return Ok(true);
             }
-            _ if self.starts_color()? => {
+            _ if self.at_color()? => {
                 fog.color = self.color()?;
                 return Ok(true);
             }

@@ -321,7 +321,7 @@ impl Evaluator<'_> {
     }
 
     fn font_file(&mut self, name: &str, span: Span) -> SourceResult<Arc<[u8]>> {
-        let Some(path) = self.find_file(name, &["ttf", "TTF", "ttc", "TTC"]) else {
+        let Some(path) = self.find_typed(name, &["ttf", "TTF", "ttc", "TTC"]) else {
             return self.error(span, format!("cannot find the font \"{name}\""));
         };
         match self.host.read(&path) {

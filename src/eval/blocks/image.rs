@@ -86,7 +86,7 @@ impl Evaluator<'_> {
             return self.expected("an image file name");
         }
         let span = self.span();
-        let name = self.string()?;
+        let name = self.file_name()?;
         if chosen.is_none() {
             let extension = std::path::Path::new(&*name).extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
             chosen = match extension {
@@ -97,10 +97,18 @@ impl Evaluator<'_> {
         let Some((_, extensions, format)) = chosen else {
             return self.error(span, format!("the type of the image \"{name}\" cannot be told from its name"));
         };
-        match self.find_file(&name, extensions) {
+        match self.find_typed(&name, extensions) {
             Some(path) => Ok(ImageSource::File { path, format: *format }),
             None => self.error(span, format!("cannot find the image \"{name}\"")),
         }
+    }
+
+    /// A file of a type: a name that has the type's extension is tried as it is first, others last.
+    pub(super) fn find_typed(&mut self, name: &str, extensions: &[&str]) -> Option<std::path::PathBuf> {
+        let mut endings: Vec<String> = extensions.iter().map(|e| format!(".{e}")).collect();
+        let typed = endings.iter().any(|e| name.ends_with(e.as_str()));
+        endings.insert(if typed { 0 } else { endings.len() }, String::new());
+        self.find_file(name, &endings.iter().map(String::as_str).collect::<Vec<_>>())
     }
 
     /// `{ IMAGE options }` of `bump_map`, `image_pattern` and `material_map` up to what does

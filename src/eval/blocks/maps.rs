@@ -1,6 +1,7 @@
 //! `[value item]` lists: colour, pigment, normal, slope, texture and density maps.
 
 use crate::diag::SourceResult;
+use crate::eval::colors::is_color_word;
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
 use crate::scene::{Blend, Density, MapEntry, Normal, Pigment, Texture};
@@ -74,7 +75,7 @@ impl Evaluator<'_> {
     pub(super) fn color_map(&mut self) -> SourceResult<Vec<MapEntry<Color>>> {
         let pick = |v: &Value| if let Value::ColorMap(m) = v { Some(m.to_vec()) } else { None };
         self.map("color_map", Values::Positions, pick, |e, value, entries| {
-            if e.starts_color()? {
+            if e.at_color()? {
                 entries.push(MapEntry { value, item: e.color()? });
                 return Ok(());
             }
@@ -84,6 +85,20 @@ impl Evaluator<'_> {
             e.comma()?;
             entries.push(MapEntry { value: end, item: e.color()? });
             Ok(())
+        })
+    }
+
+    /// Whether a colour comes next that is not a bare number: a colour word, a vector or the name of one.
+    pub(super) fn at_color(&mut self) -> SourceResult<bool> {
+        Ok(match self.keyword()? {
+            Some(keyword) => is_color_word(keyword),
+            None => match self.declared()? {
+                Some(Value::Vector(number)) => number.n >= 3,
+                Some(Value::Array(array)) => matches!(array.sample(), Some(Value::Vector(n)) if n.n >= 3),
+                Some(Value::Function(function)) => function.width() >= 3,
+                Some(_) => false,
+                None => self.at_vector()?,
+            },
         })
     }
 

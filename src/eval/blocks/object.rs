@@ -304,7 +304,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 self.string()?;
             }
-            _ if self.starts_color()? => {
+            _ if self.at_color()? => {
                 self.color()?;
                 self.warn(span, "a colour belongs into a pigment; here it has no effect");
             }

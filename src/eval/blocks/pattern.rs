@@ -182,16 +182,15 @@ impl Evaluator<'_> {
             return self.expected("'df3' and a file name");
         }
         let span = self.span();
-        let name = self.string()?;
-        let Some(path) = self.find_file(&name, &["df3", "DF3"]) else {
+        let name = self.file_name()?;
+        let Some(path) = self.find_typed(&name, &["df3", "DF3"]) else {
             return self.error(span, format!("cannot find the density file \"{name}\""));
         };
         let data = match self.host.read(&path) {
             Ok(data) => data.into(),
             Err(problem) => return self.error(span, format!("cannot read \"{name}\": {problem}")),
         };
-        let interpolation = if self.accept(K::Interpolate)? { self.integer()?.rem_euclid(10) as u8 } else { 0 };
-        Ok(PatternKind::DensityFile { path, interpolation, data })
+        Ok(PatternKind::DensityFile { path, interpolation: 0, data })
     }
 
     /// One modifier that any pattern takes, if one comes next.
@@ -290,13 +289,16 @@ impl Evaluator<'_> {
                 | K::NumberOfSides
                 | K::NumberOfTiles
                 | K::Pattern
-        );
+        ) || (keyword == K::Interpolate && matches!(pattern.kind, P::DensityFile { .. }));
         if !known {
             return Ok(false);
         }
         self.next()?;
         match (keyword, &mut pattern.kind) {
             (K::AgateTurb, P::Agate { turbulence }) => *turbulence = self.float()? as f32,
+            (K::Interpolate, P::DensityFile { interpolation, .. }) => {
+                *interpolation = self.integer()?.rem_euclid(10) as u8;
+            }
             (K::BrickSize, P::Brick { size, .. }) => *size = self.vector()?,
             (K::Mortar, P::Brick { mortar, .. }) => *mortar = self.float()? as f32,
             (K::Control0, P::Quilted { control0, .. }) => *control0 = self.float()? as f32,

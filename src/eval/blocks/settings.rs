@@ -142,11 +142,11 @@ impl Evaluator<'_> {
         self.open(what)?;
         while !self.at_punct('}')? {
             self.comma()?;
-            if self.keyword()?.is_some() && !self.starts_expression()? && !self.starts_color()? {
+            if self.keyword()?.is_some() && !self.starts_expression()? && !self.at_color()? {
                 self.next()?;
             } else if self.starts_string()? {
                 self.string()?;
-            } else if self.starts_color()? {
+            } else if self.at_color()? {
                 self.color()?;
             } else if self.starts_expression()? {
                 self.any_expression()?;

@@ -3,7 +3,7 @@
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
 use crate::scene::{Blend, Interior, Pattern, PatternKind, PatternedTexture, Texture, TextureLayer};
-use crate::syntax::Keyword as K;
+use crate::syntax::{Keyword as K, TokenKind};
 use std::sync::Arc;
 
 /// `material`: textures and an interior under one name.
@@ -231,19 +231,17 @@ impl Evaluator<'_> {
     }
 
     /// `texture { … } texture { … } …` of a declaration: all layers.
+    ///
+    /// A directive behind a layer waits until the declaration is complete.
     pub(super) fn layered_textures(&mut self) -> SourceResult<Texture> {
-        let mut texture = None;
-        loop {
-            let span = self.span();
-            if !self.accept(K::Texture)? {
-                return Ok(texture.unwrap_or_default());
-            }
-            let next = self.texture_block()?;
-            texture = Some(match texture {
-                None => next,
-                Some(below) => self.stack(below, next, span)?,
-            });
+        self.next()?;
+        let mut texture = self.texture_block()?;
+        while self.fill(true)? == TokenKind::Keyword(K::Texture) {
+            let span = self.next()?.span;
+            let above = self.texture_block()?;
+            texture = self.stack(texture, above, span)?;
         }
+        Ok(texture)
     }
 
     /// Lays `top` over `below`; only plain textures can be layered.
