@@ -184,6 +184,9 @@ impl Evaluator<'_> {
     }
 
     fn bare_argument(&mut self) -> SourceResult<Argument> {
+        if let Some(number) = self.formula_argument()? {
+            return self.colored(number).map(Argument::Value);
+        }
         let value = match self.fill(false)? {
             TokenKind::Name(name) => return self.identifier_argument(name),
             TokenKind::Keyword(Keyword::Array) => {

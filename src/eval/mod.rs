@@ -28,6 +28,7 @@ mod disk;
 mod expressions;
 mod files;
 mod float_functions;
+mod formulas;
 mod geometry_functions;
 mod host;
 mod includes;
