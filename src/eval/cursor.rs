@@ -104,6 +104,20 @@ impl Cursor {
         true
     }
 
+    /// The next token, where that takes no more than reading it.
+    #[inline]
+    pub(super) fn quick_step(&mut self) -> Option<&Token> {
+        if self.run.is_some() || self.index >= self.limit {
+            return None;
+        }
+        let token = &self.tokens.as_ref()?.tokens[self.index];
+        if matches!(token.kind, TokenKind::Vectors | TokenKind::Bad(_)) {
+            return None;
+        }
+        self.index += 1;
+        Some(token)
+    }
+
     /// The next token; `None` at the end. For a literal vector its components go to `literal`.
     pub(super) fn step(&mut self, names: &mut Names, literal: &mut ([f64; 5], u8)) -> Option<Token> {
         loop {
@@ -197,6 +211,24 @@ impl Cursor {
         Some((piece.formula(start, full, self.source.text())?, start))
     }
 
+    /// The formula that begins `n` tokens further on, and the index of its first token.
+    pub(super) fn formula_behind(&self, n: usize, full: bool) -> Option<(Rc<Formula>, usize)> {
+        let start = self.index + n;
+        let piece = self.tokens.as_ref()?;
+        (start < self.limit).then_some(())?;
+        Some((piece.formula(start, full, self.source.text())?, start))
+    }
+
+    /// The token `n` places further on, if it belongs to the current piece.
+    #[inline]
+    pub(super) fn upcoming(&self, n: usize) -> Option<TokenKind> {
+        let at = self.index + n;
+        if at >= self.limit || self.run.is_some() {
+            return None;
+        }
+        self.tokens.as_ref().map(|piece| piece.tokens[at].kind)
+    }
+
     /// Goes past tokens of the current piece.
     pub(super) fn skip_tokens(&mut self, n: usize) {
         self.index += n;
@@ -239,7 +271,18 @@ impl Cursor {
 
 impl Evaluator<'_> {
     /// The next token before directives and macros are looked at.
+    #[inline]
     pub(super) fn fetch(&mut self) -> SourceResult<Token> {
+        if let Some(cursor) = self.cursors.last_mut()
+            && let Some(token) = cursor.quick_step()
+        {
+            self.last_span = token.span;
+            return Ok(*token);
+        }
+        self.fetch_slowly()
+    }
+
+    fn fetch_slowly(&mut self) -> SourceResult<Token> {
         loop {
             let Some(cursor) = self.cursors.last_mut() else {
                 return Ok(Token { kind: TokenKind::End, span: self.last_span });

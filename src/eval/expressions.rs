@@ -113,6 +113,9 @@ impl Evaluator<'_> {
 
     /// `( full expression )`, as a condition.
     pub(super) fn condition(&mut self) -> SourceResult<f64> {
+        if let Some(value) = self.condition_formula()? {
+            return Ok(value);
+        }
         self.bracketed('(', "before the condition", ')', "behind the condition", Self::full_float)
     }
 

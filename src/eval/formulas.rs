@@ -5,10 +5,10 @@
 
 use super::expressions::{EPSILON, truth};
 use super::float_functions::{largest, one_argument, selected, smallest, two_arguments, within_bounds};
-use super::{Evaluator, Number, Value};
+use super::{Evaluator, Number, Place, Value};
 use crate::diag::{SourceResult, Span};
 use crate::syntax::formula::{Demand, Formula, List, Node, NodeId, Operator};
-use crate::syntax::{Keyword, Symbol};
+use crate::syntax::{Keyword, Symbol, TokenKind};
 use smallvec::SmallVec;
 use std::rc::Rc;
 
@@ -39,31 +39,87 @@ impl Evaluator<'_> {
     }
 
     fn known_formula(&mut self, full: bool, n: u8, names: bool) -> SourceResult<Option<Number>> {
-        let Some(cursor) = self.cursors.last_mut() else { return Ok(None) };
+        let Some(cursor) = self.cursors.last() else { return Ok(None) };
         let held = usize::from(self.ahead.is_some());
         let Some((formula, start)) = cursor.formula(self.ahead.as_ref(), full) else { return Ok(None) };
-        if formula.open_ended && !self.bare {
+        if formula.open_ended && !self.bare
+            || !names && matches!(formula.nodes.last(), Some(Node::Name(_) | Node::Element(..)))
+        {
             return Ok(None);
         }
-        if !names && matches!(formula.nodes.last(), Some(Node::Name(_) | Node::Element(..))) {
-            return Ok(None);
-        }
-        let reading = self.reading(&formula);
-        if reading == Reading::Tokens {
-            return Ok(None);
-        }
-        let walk = Walk { formula: &formula, start };
-        let root = (formula.nodes.len() - 1) as NodeId;
-        let value = if reading == Reading::Float {
-            Number::scalar(self.walk_float(&walk, root)?)
-        } else {
-            self.walk(&walk, root, n)?
-        };
-        if let Some(cursor) = self.cursors.last_mut() {
-            cursor.skip_tokens(formula.length - held);
-        }
+        let Some(value) = self.value_of(&formula, start, n)? else { return Ok(None) };
+        self.skip_tokens(formula.length - held);
         self.take();
+        Ok(Some(value))
+    }
+
+    fn value_of(&mut self, formula: &Rc<Formula>, start: usize, n: u8) -> SourceResult<Option<Number>> {
+        let reading = self.reading(formula);
+        let walk = Walk { formula, start };
+        let root = (formula.nodes.len() - 1) as NodeId;
+        let value = match reading {
+            Reading::Float => Number::scalar(self.walk_float(&walk, root)?),
+            Reading::Number => self.walk(&walk, root, n)?,
+            Reading::Tokens => return Ok(None),
+        };
         Ok(Some(value.widened(n)))
+    }
+
+    fn skip_tokens(&mut self, n: usize) {
+        if let Some(cursor) = self.cursors.last_mut() {
+            cursor.skip_tokens(n);
+        }
+    }
+
+    /// `( formula )` where a condition is expected; `None`, and nothing taken, for anything else.
+    pub(super) fn condition_formula(&mut self) -> SourceResult<Option<f64>> {
+        let Some(cursor) = self.cursors.last() else { return Ok(None) };
+        if self.ahead.is_some() || self.version < 150 || cursor.upcoming(0) != Some(TokenKind::Punct('(')) {
+            return Ok(None);
+        }
+        let Some((formula, start)) = cursor.formula_behind(1, true) else { return Ok(None) };
+        if cursor.upcoming(1 + formula.length) != Some(TokenKind::Punct(')')) {
+            return Ok(None);
+        }
+        match self.reading(&formula) {
+            Reading::Float => {}
+            _ => return Ok(None),
+        }
+        let value = self.walk_float(&Walk { formula: &formula, start }, (formula.nodes.len() - 1) as NodeId)?;
+        self.skip_tokens(formula.length + 2);
+        Ok(Some(value))
+    }
+
+    /// `NAME = formula ;` behind `#declare` or `#local`, for a variable that holds a number or is
+    /// new in a macro; false, and nothing taken, for anything else.
+    pub(super) fn declaration_formula(&mut self, local: bool) -> SourceResult<bool> {
+        let Some(cursor) = self.cursors.last() else { return Ok(false) };
+        let (Some(TokenKind::Name(name)), Some(TokenKind::Punct('='))) = (cursor.upcoming(0), cursor.upcoming(1)) else {
+            return Ok(false);
+        };
+        if self.ahead.is_some() || self.version < 350 {
+            return Ok(false);
+        }
+        let Some((formula, start)) = cursor.formula_behind(2, false) else { return Ok(false) };
+        let end = 2 + formula.length;
+        let alone = cursor.upcoming(end) == Some(TokenKind::Punct(';'))
+            && cursor.upcoming(end + 1).is_some_and(|next| next != TokenKind::Punct(';'));
+        let place = if local { self.scopes.find_innermost(name) } else { self.scopes.find(name) };
+        let place = match place {
+            _ if !alone => return Ok(false),
+            Some(place) if place.path.is_empty() && place.with(|v| v.and_then(Value::number).is_some()) => {
+                Some(Rc::clone(&place.slot))
+            }
+            None if local => None,
+            _ => return Ok(false),
+        };
+        let Some(number) = self.value_of(&formula, start, 1)? else { return Ok(false) };
+        self.skip_tokens(end + 1);
+        match place {
+            Some(slot) => *slot.borrow_mut() = Value::from(number),
+            None => self.scopes.bind(self.local_table(), name, Place::new(Value::from(number))),
+        }
+        Ok(true)
     }
 
     /// Whether all names stand for what the tree takes them for.
