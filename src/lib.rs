@@ -1,5 +1,6 @@
 //! A Whitted-style recursive ray tracer for POV-Ray 3.7 scenes.
 
+pub mod cli;
 pub mod compile;
 pub mod compiled;
 pub mod diag;
@@ -7,6 +8,7 @@ pub mod eval;
 pub mod function;
 pub mod imaging;
 pub mod math;
+pub mod pipeline;
 pub mod render;
 pub mod scene;
 pub mod syntax;

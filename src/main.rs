@@ -1,2 +1,7 @@
 //! The `whitted` program.
-fn main() {}
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    whitted::cli::run()
+}

@@ -3,7 +3,9 @@
 mod camera;
 pub mod geometry;
 mod light;
+mod queries;
 pub mod texture;
 mod world;
 
+pub use queries::Queries;
 pub use world::compile;

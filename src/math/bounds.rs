@@ -11,6 +11,12 @@ pub struct Bounds {
     pub max: DVec3,
 }
 
+impl Default for Bounds {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
+
 impl Bounds {
     /// Contains nothing; the identity of [`union`](Self::union).
     pub const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };

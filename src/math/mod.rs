@@ -10,13 +10,17 @@
 
 mod bounds;
 mod color;
+mod error_bound;
 pub mod noise;
 mod noise_table;
 mod ray;
+mod roots;
 mod transform;
 
 pub use bounds::Bounds;
 pub use color::{Color, Rgb, gray};
+pub use error_bound::{dot_error, gamma, transformed_point_error};
 pub use glam::{DMat3, DVec2, DVec3, DVec4};
 pub use ray::{Range, Ray};
+pub use roots::{MAX_DEGREE, Roots, discriminant, quadratic_roots, root_bound, roots_in};
 pub use transform::{SingularMatrix, Transform};

@@ -1,8 +1,21 @@
 //! From scene objects to compiled geometry, as named passes.
 
-use crate::compiled::geometry::{Geometry, LightGroupId};
-use crate::diag::{Diagnostic, SourceResult};
+mod builder;
+mod census;
+mod freeform;
+mod lights;
+mod looks;
+mod primitive;
+#[cfg(test)]
+mod tests;
+
+use crate::compiled::geometry::{Geometry, Group, LightGroupId};
+use crate::diag::{Diagnostic, SourceResult, Span};
+use crate::math::Transform;
 use crate::scene::{Interior, LightSource, Object, Scene, Texture};
+use builder::Builder;
+use census::Census;
+use lights::collect_lights;
 use std::sync::Arc;
 
 /// The geometry, with the lists that its indices refer to.
@@ -18,6 +31,8 @@ pub struct CompiledGeometry {
     pub lights: Vec<PlacedLight>,
     /// What a `LightGroupId` stands for.
     pub light_groups: Vec<LightGroup>,
+    /// What an `ObjectId` stands for.
+    pub objects: Vec<ObjectInfo>,
     /// What is left out or unusual.
     pub warnings: Vec<Diagnostic>,
 }
@@ -38,18 +53,56 @@ pub struct LightGroup {
     pub global_lights: bool,
 }
 
+/// Where a compiled object comes from.
+#[derive(Clone, Debug)]
+pub struct ObjectInfo {
+    /// The identifier it was declared under.
+    pub name: Option<Arc<str>>,
+    /// Where it stands in the scene file.
+    pub span: Span,
+}
+
 /// Compiles a whole scene: unions split, copies shared, hierarchies built.
 ///
 /// # Errors
 /// Located messages for shapes that are not supported yet and for limits.
-pub fn compile(_scene: &Scene) -> SourceResult<CompiledGeometry> {
-    Ok(CompiledGeometry::default())
+pub fn compile(scene: &Scene) -> SourceResult<CompiledGeometry> {
+    let fallback = Arc::new(Texture::default());
+    let default_of = |i: usize| scene.default_textures.get(i).unwrap_or(&fallback);
+    let objects: Vec<_> = scene.objects.iter().enumerate().map(|(i, o)| (o, default_of(i))).collect();
+    build(&objects, true)
 }
 
 /// Compiles one object by itself, for `trace`, `inside`, object patterns and `projected_through`.
 ///
 /// # Errors
 /// As [`compile`].
-pub fn compile_object(_object: &Arc<Object>) -> SourceResult<Geometry> {
-    Ok(Geometry::default())
+pub fn compile_object(object: &Arc<Object>) -> SourceResult<Geometry> {
+    Ok(build(&[(object, &Arc::default())], false)?.geometry)
+}
+
+/// All passes in order.
+fn build(objects: &[(&Arc<Object>, &Arc<Texture>)], split: bool) -> SourceResult<CompiledGeometry> {
+    let mut census = Census::default();
+    for (object, _) in objects {
+        census.count(object, 0);
+    }
+    if !census.errors.is_empty() {
+        return Err(census.errors);
+    }
+    let mut out = CompiledGeometry::default();
+    for (object, _) in objects {
+        collect_lights(object, &Transform::IDENTITY, None, &census, &mut out);
+    }
+    let mut builder = Builder::new(&census);
+    let mut items = Vec::new();
+    for (object, default) in objects {
+        builder.place_root(object, default, split, &mut items);
+    }
+    if !builder.errors.is_empty() {
+        return Err(builder.errors);
+    }
+    let Builder { mut geometry, textures, interiors, objects, .. } = builder;
+    geometry.root = Group::new(items);
+    Ok(CompiledGeometry { geometry, textures, interiors, objects, ..out })
 }

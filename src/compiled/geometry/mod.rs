@@ -10,50 +10,89 @@
 //! assert!(Geometry::default().intersect(&ray, Range::FORWARD, RayKind::Camera, &mut Scratch::default()).is_none());
 //! ```
 
+mod bvh;
+mod graph;
+mod inside;
 mod record;
+mod shape;
+mod solid;
+mod surface;
+mod walk;
 
 pub use record::{
     Hit, InteriorId, InteriorKey, LightGroupId, MAX_INSTANCE_DEPTH, ObjectId, RayKind, Surface, TextureId, TextureRef,
 };
+pub use solid::Scratch;
+
+// What `compile` fills in.
+pub(crate) use graph::{
+    Group, Instance, Item, ItemKind, Look, Node, NodeKind, Operation, Placement, Primitive, Skips, padded,
+};
+pub(crate) use shape::{
+    Cone, Cuboid, Disc, Mesh, MeshData, MeshTree, Plane, Shape, SmoothTriangle, Sphere, Torus, Triangle,
+};
 
 use crate::math::{Bounds, DVec3, Range, Ray};
-
-/// Per-thread buffers, so that no ray allocates.
-#[derive(Debug, Default)]
-pub struct Scratch {}
+use record::Path;
+use walk::Walk;
 
 /// All objects of a scene, or of one object that is asked about.
+///
+/// Every index in its lists is in range, instances nest at most [`MAX_INSTANCE_DEPTH`] deep, and
+/// a primitive reached through no instance has looks without gaps: `compile` sees to that.
 #[derive(Debug, Default)]
-pub struct Geometry {}
+pub struct Geometry {
+    /// What every ray enters.
+    pub(crate) root: Group,
+    pub(crate) groups: Vec<Group>,
+    pub(crate) instances: Vec<Instance>,
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) primitives: Vec<Primitive>,
+    pub(crate) looks: Vec<Look>,
+    pub(crate) placements: Vec<Placement>,
+    /// By interior.
+    pub(crate) hollow: Vec<bool>,
+}
 
 impl Geometry {
     /// The nearest hit strictly inside `range`; an empty range gives `None`.
-    pub fn intersect(&self, _ray: &Ray, _range: Range, _kind: RayKind, _scratch: &mut Scratch) -> Option<Hit> {
-        None
+    pub fn intersect(&self, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch) -> Option<Hit> {
+        self.walk(ray, range, kind, scratch, false)
     }
 
     /// Whether a shadow ray meets anything inside `range`. For scenes in which nothing transmits light.
     pub fn occluded(&self, ray: &Ray, range: Range, scratch: &mut Scratch) -> bool {
-        self.intersect(ray, range, RayKind::Shadow, scratch).is_some()
+        self.walk(ray, range, RayKind::Shadow, scratch, true).is_some()
     }
 
-    /// The full record of a hit that [`intersect`](Self::intersect) gave for the same ray.
-    pub fn surface(&self, _ray: &Ray, _hit: &Hit) -> Surface<'_> {
-        unimplemented!("geometry without objects gives no hit")
+    fn walk(&self, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch, any: bool) -> Option<Hit> {
+        let mut walk = Walk { geometry: self, kind, scratch, range, best: None, path: Path::default(), any };
+        // Breaking off only says that the first hit was enough.
+        let _: std::ops::ControlFlow<()> = walk.group(&self.root, ray);
+        walk.best
     }
 
-    /// The interiors of frame-level objects that contain the point, in file order.
-    pub fn containing(&self, _point: DVec3) -> Vec<InteriorKey> {
-        Vec::new()
+    /// The interiors of frame-level objects that contain the point, in file order. As in POV-Ray, inverted
+    /// finite objects do not count as containing the space around them.
+    pub fn containing(&self, point: DVec3) -> Vec<InteriorKey> {
+        let mut found = Vec::new();
+        self.gather(&self.root, point, &mut Path::default(), &mut |geometry, item, path| {
+            found.extend(geometry.item_interior(item, path));
+            true
+        });
+        found.sort_by_key(|(object, _)| *object);
+        found.into_iter().map(|(_, key)| key).collect()
     }
 
     /// Whether the point is inside any object.
-    pub fn contains(&self, _point: DVec3) -> bool {
-        false
+    pub fn contains(&self, point: DVec3) -> bool {
+        // Half spaces and inverted objects reach beyond their surface's box.
+        let mut items = self.root.items.iter().chain(&self.root.infinite);
+        items.any(|item| !self.gather_item(item, point, &mut Path::default(), &mut |_, _, _| false))
     }
 
     /// A box around everything; infinite if anything is.
     pub fn bounds(&self) -> Bounds {
-        Bounds::EMPTY
+        self.root.bounds
     }
 }

@@ -1,5 +1,4 @@
 //! What a ray asks for and what it gets back.
-#![allow(dead_code)] // until the traversal arrives
 
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use smallvec::SmallVec;
@@ -23,11 +22,11 @@ pub enum RayKind {
 pub struct TextureId(pub u32);
 
 /// Index into the interiors that `compile` collected, one for each object that owns one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct InteriorId(pub u32);
 
 /// Index of a frame-level object (after union splitting), in file order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ObjectId(pub u32);
 
 /// Index into the light groups that `compile` collected.

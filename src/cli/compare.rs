@@ -1,0 +1,75 @@
+//! `whitted compare`: how much two pictures differ.
+
+use super::fail;
+use crate::imaging::{Difference, Encoding, Metadata, Verdict, compare, heatmap, read_exr, save};
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// What was typed.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Reference picture
+    reference: PathBuf,
+    /// Picture to judge
+    image: PathBuf,
+    /// Write a picture of where they differ
+    #[arg(long, value_name = "FILE.png")]
+    heatmap: Option<PathBuf>,
+    /// Worst verdict that still counts as agreement
+    #[arg(long, value_enum, default_value_t = Tolerance::Same)]
+    tolerance: Tolerance,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Tolerance {
+    /// 99.5 % of pixels within 2 of 255, mean at most 0.25
+    Same,
+    /// 98 % of pixels within 8 of 255, mean at most 1
+    Close,
+    /// 90 % of pixels within 24 of 255, mean at most 6
+    Alike,
+}
+
+/// Compares and prints the figures; exit code 0 within tolerance, 1 otherwise, 2 for errors.
+pub(super) fn run(arguments: &Arguments) -> ExitCode {
+    let (reference, image) = match (read_exr(&arguments.reference), read_exr(&arguments.image)) {
+        (Ok(reference), Ok(image)) => (reference, image),
+        (Err(error), _) | (_, Err(error)) => return fail(error),
+    };
+    let difference = match compare(&reference, &image) {
+        Ok(difference) => difference,
+        Err(error) => return fail(error),
+    };
+    if let Some(path) = &arguments.heatmap {
+        let encoding = Encoding { float: false, sixteen_bit: false };
+        let written = heatmap(&reference, &image).and_then(|map| save(path, &map, &Metadata::default(), encoding));
+        if let Err(error) = written {
+            return fail(error);
+        }
+    }
+    // A closed pipe is no reason to fail: the exit code says the same.
+    let _ = std::io::stdout().write_all(table(&difference).as_bytes());
+    let limit = match arguments.tolerance {
+        Tolerance::Same => Verdict::Same,
+        Tolerance::Close => Verdict::Close,
+        Tolerance::Alike => Verdict::Alike,
+    };
+    if difference.verdict() <= limit { ExitCode::SUCCESS } else { ExitCode::from(1) }
+}
+
+fn table(difference: &Difference) -> String {
+    let percent = difference.within.map(|w| 100.0 * w);
+    format!(
+        "verdict        {:?}\nmean           {:.4} of 255 (sRGB)\nRMSE           {:.6} (linear)\nrelative RMSE  {:.6}\n\
+         within 2       {:.3} %\nwithin 8       {:.3} %\nwithin 24      {:.3} %\nFLIP           {:.5}\n",
+        difference.verdict(),
+        difference.mean_display,
+        difference.rmse,
+        difference.relative_rmse,
+        percent[0],
+        percent[1],
+        percent[2],
+        difference.flip
+    )
+}

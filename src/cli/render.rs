@@ -1,0 +1,182 @@
+//! `whitted render`: a scene file in, a picture out.
+
+use super::scene_arguments::SceneArguments;
+use super::{ERROR, fail, messages};
+use crate::imaging::{self, Encoding, FileKind};
+use crate::pipeline::{self, Outcome, Timings};
+use crate::render::{Antialias, Method, Options};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// The size that an installed POV-Ray's own settings give: 800 x 600.
+pub(super) const DEFAULT_SIZE: (usize, usize) = (800, 600);
+
+/// What was typed.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Picture to write: .exr, .png, .ppm or .hdr, or - for EXR on standard output.
+    /// Without it, the scene's name with .exr, and a preview beside it
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Also write a picture to look at; without a name, beside the output with .png
+    #[arg(long, value_name = "FILE.png", num_args = 0..=1, default_missing_value = "")]
+    preview: Option<PathBuf>,
+    /// Pixels across [default: 800, or 4/3 of the height]
+    #[arg(long, short = 'W', value_parser = size)]
+    width: Option<usize>,
+    /// Pixels down [default: 600, or 3/4 of the width]
+    #[arg(long, short = 'H', value_parser = size)]
+    height: Option<usize>,
+    /// Smooth edges: off, or METHOD,THRESHOLD,DEPTH[,JITTER] as POV-Ray's +AM, +A, +R, +J
+    #[arg(long, short, value_parser = antialias, default_value = "off", value_name = "HOW")]
+    antialias: Option<Setting>,
+    /// Worker threads, 0 for one for each core
+    #[arg(long, short, default_value_t = 0)]
+    threads: usize,
+    /// 0 to 9, as POV-Ray's +Q
+    #[arg(long, short, default_value_t = 9, value_parser = clap::value_parser!(u8).range(0..=9))]
+    quality: u8,
+    /// Write an alpha channel; the background is transparent
+    #[arg(long)]
+    alpha: bool,
+    /// Write EXR colours in single instead of half precision
+    #[arg(long)]
+    float: bool,
+    /// Write PNG with 16 instead of 8 bits
+    #[arg(long)]
+    sixteen_bit: bool,
+    /// Say how long each stage took
+    #[arg(long)]
+    timings: bool,
+}
+
+/// Antialiasing as typed; `off` is a setting, too.
+#[derive(Clone, Copy, Debug)]
+struct Setting(Option<Antialias>);
+
+fn size(text: &str) -> Result<usize, String> {
+    // POV-Ray takes fractional sizes from some exporters and cuts them.
+    let size = text.parse::<f64>().map_err(|_| "expected a number of pixels")?.trunc();
+    if (1.0..=65_536.0).contains(&size) { Ok(size as usize) } else { Err("must be 1 to 65536".into()) }
+}
+
+fn antialias(text: &str) -> Result<Setting, String> {
+    if text == "off" {
+        return Ok(Setting(None));
+    }
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    let number = |i: usize, name: &str, range: std::ops::RangeInclusive<f64>| -> Result<f64, String> {
+        let value: f64 = parts[i].parse().map_err(|_| format!("{name} '{}' is not a number", parts[i]))?;
+        let (low, high) = (range.start(), range.end());
+        if range.contains(&value) { Ok(value) } else { Err(format!("{name} must be {low} to {high}")) }
+    };
+    if !(3..=4).contains(&parts.len()) {
+        return Err("expected off or METHOD,THRESHOLD,DEPTH[,JITTER]".into());
+    }
+    Ok(Setting(Some(Antialias {
+        method: if number(0, "METHOD", 1.0..=2.0)? < 2.0 { Method::Grid } else { Method::Adaptive },
+        threshold: number(1, "THRESHOLD", 0.0..=1.0)?,
+        depth: number(2, "DEPTH", 1.0..=9.0)? as u32,
+        jitter: if parts.len() == 4 { number(3, "JITTER", 0.0..=1.0)? } else { 0.0 },
+    })))
+}
+
+impl Arguments {
+    fn options(&self) -> Options {
+        let (width, height) = match (self.width, self.height) {
+            (Some(width), Some(height)) => (width, height),
+            (Some(width), None) => (width, (width * 3 / 4).max(1)),
+            (None, Some(height)) => ((height * 4 / 3).max(1), height),
+            (None, None) => DEFAULT_SIZE,
+        };
+        let antialias = self.antialias.and_then(|setting| setting.0);
+        Options { width, height, antialias, quality: self.quality, alpha: self.alpha, threads: self.threads }
+    }
+
+    /// The picture's file, and that of its preview.
+    fn files(&self) -> (PathBuf, Option<PathBuf>) {
+        let output = self.output.clone().unwrap_or_else(|| self.scene.scene.with_extension("exr"));
+        let beside = || {
+            let name = if output == Path::new("-") { &self.scene.scene } else { &output };
+            name.with_extension("png")
+        };
+        let preview = match &self.preview {
+            Some(named) if named.as_os_str().is_empty() => Some(beside()),
+            Some(named) => Some(named.clone()),
+            None if self.output.is_none() => Some(beside()),
+            None => None,
+        };
+        (output, preview)
+    }
+}
+
+/// Renders and writes the picture.
+pub(super) fn run(arguments: &Arguments) -> ExitCode {
+    let (output, preview) = arguments.files();
+    for file in [Some(&output), preview.as_ref()].into_iter().flatten() {
+        if FileKind::of(file).is_none() {
+            return fail(format_args!("{}: unknown kind of picture: use .exr, .png, .ppm or .hdr", file.display()));
+        }
+    }
+    let options = arguments.options();
+    let reading = arguments.scene.reading(options.width, options.height);
+    let bar = progress_bar(options.width * options.height);
+    let advance = |n: usize| bar.inc(n as u64);
+    let result = pipeline::render_file(&arguments.scene.scene, &reading, &options, &arguments.scene.host(), &advance);
+    bar.finish_and_clear();
+    let outcome = match result {
+        Ok(outcome) => outcome,
+        Err(failed) => {
+            messages::show(&failed.diagnostics, &failed.sources);
+            return ExitCode::from(ERROR);
+        }
+    };
+    messages::show(&outcome.warnings, &outcome.sources);
+    match write(arguments, &outcome, &output, preview.as_deref()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => fail(error),
+    }
+}
+
+fn write(
+    arguments: &Arguments,
+    outcome: &Outcome,
+    output: &Path,
+    preview: Option<&Path>,
+) -> Result<(), imaging::ImageError> {
+    let encoding = Encoding { float: arguments.float, sixteen_bit: arguments.sixteen_bit };
+    let start = Instant::now();
+    for file in std::iter::once(output).chain(preview) {
+        imaging::save(file, &outcome.picture, &outcome.metadata, encoding)?;
+        if file != Path::new("-") && std::io::stderr().is_terminal() {
+            messages::line(format_args!("wrote {}", file.display()));
+        }
+    }
+    if arguments.timings {
+        let mut timings: Timings = outcome.timings.clone();
+        timings.0.push(("write", start.elapsed()));
+        for (stage, time) in &timings.0 {
+            messages::line(format_args!("{stage:8} {:9.3} s", time.as_secs_f64()));
+        }
+        let rays = outcome.metadata.rays as f64;
+        let rate = rays / outcome.metadata.seconds.max(1e-9) / 1e6;
+        messages::line(format_args!("rays     {rays:9.0} ({rate:.2} million a second)"));
+    }
+    Ok(())
+}
+
+/// Drawn only on a terminal.
+fn progress_bar(n_pixels: usize) -> ProgressBar {
+    let target =
+        if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+    let bar = ProgressBar::with_draw_target(Some(n_pixels as u64), target);
+    match ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

@@ -1,0 +1,385 @@
+//! Pass 5, `build`: objects become items of groups and nodes of solids.
+//!
+//! Unions that nothing holds together are split; contents used more than once become shared
+//! groups; everything else is written out in its group's space.
+
+use super::ObjectInfo;
+use super::census::Census;
+use super::looks::{Context, last_hollow};
+use super::primitive::fold;
+use crate::compiled::geometry::{
+    Geometry, Group, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, MeshTree, Node, NodeKind, ObjectId, Operation,
+    Primitive, Shape as Compiled, TextureId, padded,
+};
+use crate::diag::Diagnostic;
+use crate::math::{Bounds, DVec3};
+use crate::scene::{CsgOperation, Interior, Object, PlacedTexture, Shape, Texture};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// Contents lighter than this are cheaper to copy than to reach through an instance.
+const SHARED_WEIGHT: u64 = 6;
+
+/// A shared group, once it is built.
+#[derive(Clone, Copy)]
+struct Shared {
+    group: u32,
+    /// Instances inside each other, this one included.
+    height: usize,
+}
+
+/// Everything under construction.
+pub(super) struct Builder<'a> {
+    pub(super) census: &'a Census,
+    pub(super) geometry: Geometry,
+    pub(super) textures: Vec<Arc<Texture>>,
+    pub(super) texture_ids: FxHashMap<*const Texture, TextureId>,
+    pub(super) placement_ids: FxHashMap<(TextureId, [[u64; 3]; 4]), u32>,
+    pub(super) interiors: Vec<Arc<Interior>>,
+    pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
+    pub(super) errors: Vec<Diagnostic>,
+    pub(super) objects: Vec<ObjectInfo>,
+    default_interior: Arc<Interior>,
+    shared: FxHashMap<(*const Arc<Object>, u8), Shared>,
+    n_light_groups: u32,
+}
+
+type Items = Vec<(Item, Bounds)>;
+
+impl<'a> Builder<'a> {
+    pub(super) fn new(census: &'a Census) -> Self {
+        Self {
+            census,
+            geometry: Geometry::default(),
+            textures: Vec::new(),
+            texture_ids: FxHashMap::default(),
+            placement_ids: FxHashMap::default(),
+            interiors: Vec::new(),
+            meshes: FxHashMap::default(),
+            errors: Vec::new(),
+            objects: Vec::new(),
+            default_interior: Arc::default(),
+            shared: FxHashMap::default(),
+            n_light_groups: 0,
+        }
+    }
+
+    /// Places a frame-level object.
+    pub(super) fn place_root(&mut self, object: &Arc<Object>, default: &Arc<Texture>, split: bool, items: &mut Items) {
+        let default_texture = PlacedTexture::new(Arc::clone(default));
+        let mut around = Context::bare();
+        around.default_texture = Some(self.placement(&default_texture, &around.group_from_parent, false));
+        self.place_frame(object, &around, split, items);
+    }
+
+    /// An object at frame level, or a member of a light group: owns an interior.
+    fn place_frame(&mut self, object: &Arc<Object>, around: &Context, split: bool, items: &mut Items) {
+        let mut around = around.clone();
+        if object.interior.is_none() && !matches!(object.shape, Shape::LightGroup { .. }) {
+            let hollow = last_hollow(object, around.hollow);
+            around.interior = Some(self.interior(Arc::clone(&self.default_interior), hollow));
+        }
+        self.place(object, &around, split, items, &mut 0);
+    }
+
+    /// Places an object in a group. `height` grows to that of the instances inside.
+    fn place(&mut self, object: &Arc<Object>, around: &Context, split: bool, items: &mut Items, height: &mut usize) {
+        match &object.shape {
+            Shape::LightSource(light) => {
+                if let Some(looks) = &light.looks_like {
+                    let around = Context { no_shadow: true, ..around.clone() };
+                    self.place(looks, &around, split, items, height);
+                }
+            }
+            Shape::LightGroup { children, .. } => {
+                let mut inside = self.enter(object, around);
+                inside.light_group = Some(crate::compiled::geometry::LightGroupId(self.n_light_groups));
+                self.n_light_groups += 1;
+                for child in children.iter() {
+                    self.place_frame(child, &inside, split, items);
+                }
+            }
+            Shape::Csg { operation, children } => {
+                let inside = self.enter(object, around);
+                let splits = split
+                    && *operation == CsgOperation::Union
+                    && !inside.inverse
+                    && !object.flags.keep_union
+                    && object.clipped_by.is_empty()
+                    && object.bounded_by.is_empty();
+                if self.place_shared(object, children, &inside, splits, items, height) {
+                    return;
+                }
+                if splits {
+                    for child in children.iter() {
+                        self.place(child, &inside, split, items, height);
+                    }
+                } else {
+                    self.place_solid(object, around, items);
+                }
+            }
+            _ if object.clipped_by.is_empty() => {
+                let inside = self.enter(object, around);
+                let id = self.object_id(object);
+                if let Some(index) = self.primitive(object, &inside, id) {
+                    self.push_primitive(index, &inside, items);
+                }
+            }
+            _ => self.place_solid(object, around, items),
+        }
+    }
+
+    fn push_primitive(&mut self, index: u32, inside: &Context, items: &mut Items) {
+        let primitive = &self.geometry.primitives[index as usize];
+        let kind = match (&primitive.shape, &primitive.group_from_local) {
+            (Compiled::Sphere(sphere), None) => ItemKind::Sphere(*sphere, index),
+            _ => ItemKind::Primitive(index),
+        };
+        if !inside.skips().skips_all() {
+            items.push((Item { kind, skips: inside.skips() }, primitive.bounds()));
+        }
+    }
+
+    fn place_solid(&mut self, object: &Arc<Object>, around: &Context, items: &mut Items) {
+        let id = self.object_id(object);
+        let root = self.geometry.nodes.len() as u32;
+        if self.node(object, around, id, true).is_some() {
+            let node = &self.geometry.nodes[root as usize];
+            if !node.skips.skips_all() && !node.bounds.is_empty() {
+                items.push((Item { kind: ItemKind::Solid(root), skips: node.skips }, node.bounds));
+            }
+        }
+    }
+
+    /// Places CSG contents as an instance if they are used often enough; whether it did.
+    fn place_shared(
+        &mut self,
+        object: &Arc<Object>,
+        children: &Arc<[Arc<Object>]>,
+        inside: &Context,
+        splits: bool,
+        items: &mut Items,
+        height: &mut usize,
+    ) -> bool {
+        let facts = self.census.of(children);
+        let plain = splits || (object.clipped_by.is_empty() && object.bounded_by.is_empty() && !inside.inverse);
+        if facts.uses < 2 || facts.weight < SHARED_WEIGHT || facts.light_groups || inside.cutaway || !plain {
+            return false;
+        }
+        let Shape::Csg { operation, .. } = &object.shape else { return false };
+        let key = (children.as_ptr(), if splits { u8::MAX } else { *operation as u8 });
+        let shared = match self.shared.get(&key) {
+            Some(shared) => *shared,
+            None => {
+                let shared = self.build_shared(object, children, splits);
+                self.shared.insert(key, shared);
+                shared
+            }
+        };
+        if shared.height > MAX_INSTANCE_DEPTH {
+            return false;
+        }
+        *height = (*height).max(shared.height);
+        let id = self.object_id(object);
+        let look = self.add_look(inside.look(id));
+        let parent_from_group = inside.group_from_parent;
+        let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group as usize].bounds));
+        let index = self.geometry.instances.len() as u32;
+        self.geometry.instances.push(Instance { group: shared.group, parent_from_group, look });
+        if !inside.skips().skips_all() {
+            items.push((Item { kind: ItemKind::Instance(index), skips: inside.skips() }, bounds));
+        }
+        true
+    }
+
+    /// Builds contents once, as they are without anything around them.
+    fn build_shared(&mut self, object: &Arc<Object>, children: &Arc<[Arc<Object>]>, splits: bool) -> Shared {
+        let mut items = Items::new();
+        let mut height = 0;
+        if splits {
+            for child in children.iter() {
+                self.place(child, &Context::bare(), true, &mut items, &mut height);
+            }
+        } else {
+            let bare = Object { flags: Default::default(), ..Object::new(object.shape.clone(), object.span) };
+            self.place_solid(&Arc::new(bare), &Context::bare(), &mut items);
+        }
+        self.geometry.groups.push(Group::new(items));
+        Shared { group: self.geometry.groups.len() as u32 - 1, height: height + 1 }
+    }
+
+    fn object_id(&mut self, object: &Object) -> ObjectId {
+        self.objects.push(ObjectInfo { name: object.name.clone(), span: object.span });
+        ObjectId(self.objects.len() as u32 - 1)
+    }
+
+    /// Builds an object as a part of a solid; `None` for what has no surface.
+    fn node(&mut self, object: &Arc<Object>, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
+        if let Shape::LightSource(light) = &object.shape {
+            let looks = light.looks_like.clone()?;
+            return self.node(&looks, &Context { no_shadow: true, ..around.clone() }, id, is_root);
+        }
+        let mut inside = self.enter(object, around);
+        let index = self.geometry.nodes.len();
+        self.geometry.nodes.push(Node::placeholder());
+        let mut node = Node { skips: inside.skips(), ..Node::placeholder() };
+        match &object.shape {
+            Shape::Csg { operation, children } => {
+                if is_root && self.cuts_away(object, &inside) {
+                    inside.cutaway_root = Some(index as u32);
+                }
+                node.look = self.add_look(Context { cutaway_root: None, ..inside.clone() }.look(id));
+                self.combine(*operation, children, &inside, id, &mut node);
+            }
+            Shape::LightGroup { .. } => return None,
+            _ => {
+                let primitive = self.primitive(object, &inside, id)?;
+                let compiled = &self.geometry.primitives[primitive as usize];
+                node.look = compiled.look;
+                node.bounds = compiled.bounds();
+                node.extent = extent(compiled);
+                node.kind = NodeKind::Primitive(primitive);
+            }
+        }
+        // Clips and bounds stand in the space around the object and keep their own inversions.
+        let clip_context = Context { group_from_parent: around.group_from_parent, ..Context::bare() };
+        node.clips = object.clipped_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
+        if matches!(object.shape, Shape::Csg { .. }) && !object.flags.bounds_are_clips {
+            node.bounded_by = object.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
+        }
+        for clip in &node.clips {
+            let clip = self.geometry.nodes[*clip as usize].extent;
+            node.bounds = node.bounds.intersection(&clip);
+            node.extent = node.extent.intersection(&clip);
+        }
+        self.geometry.nodes[index] = node;
+        Some(index as u32)
+    }
+
+    /// Whether cut faces of a solid look for textures: only where there is one to find.
+    fn cuts_away(&self, object: &Object, inside: &Context) -> bool {
+        inside.cutaway && inside.texture.is_none() && self.census.textured(object)
+    }
+
+    /// Builds children and what they combine to. An inverted union is the intersection of inverted
+    /// children, and the other way round; a difference is the intersection of its first child with
+    /// the inverted others.
+    fn combine(
+        &mut self,
+        operation: CsgOperation,
+        children: &Arc<[Arc<Object>]>,
+        inside: &Context,
+        id: ObjectId,
+        node: &mut Node,
+    ) {
+        let compiled = match (operation, inside.inverse) {
+            (CsgOperation::Union, false) => Operation::Union,
+            (CsgOperation::Merge, false) | (CsgOperation::Intersection | CsgOperation::Difference, true) => {
+                Operation::Merge
+            }
+            _ => Operation::Intersection,
+        };
+        let mut around = inside.clone();
+        // Children of unions and merges get the default texture even where cut faces look for one.
+        if compiled != Operation::Intersection {
+            around.cutaway_root = None;
+        }
+        let mut built = Vec::new();
+        for (i, child) in children.iter().enumerate() {
+            around.inverse = inside.inverse != (operation == CsgOperation::Difference && i > 0);
+            let root = inside.cutaway_root;
+            // Deeper intersections look for textures again.
+            if matches!(&child.shape, Shape::Csg { operation, .. } if *operation as u8 >= CsgOperation::Intersection as u8)
+            {
+                around.cutaway_root = root;
+            } else if compiled != Operation::Intersection {
+                around.cutaway_root = None;
+            }
+            built.extend(self.node(child, &around, id, false));
+        }
+        let nodes = &self.geometry.nodes;
+        let hull =
+            |f: fn(&Node) -> Bounds| built.iter().fold(Bounds::EMPTY, |sum, n| sum.union(&f(&nodes[*n as usize])));
+        node.bounds = hull(|n| n.bounds);
+        if compiled == Operation::Intersection {
+            let common = |skip: usize| {
+                let others = built.iter().enumerate().filter(|(i, _)| *i != skip);
+                others.fold(Bounds::INFINITE, |b, (_, n)| b.intersection(&nodes[*n as usize].extent))
+            };
+            node.extent = common(usize::MAX);
+            // A child's surface survives only inside the others; quadratic, so only for a few.
+            if built.len() <= 16 {
+                node.bounds = built
+                    .iter()
+                    .enumerate()
+                    .fold(Bounds::EMPTY, |sum, (i, n)| sum.union(&nodes[*n as usize].bounds.intersection(&common(i))));
+            } else if let Some(first) = built.first() {
+                // Whatever survives lies on one child and inside all others.
+                let rest = nodes[*first as usize].bounds.union(&nodes[*first as usize].extent);
+                node.bounds = node.bounds.intersection(&rest);
+            }
+        } else {
+            node.extent = hull(|n| n.extent);
+        }
+        node.kind = NodeKind::Csg {
+            operation: compiled,
+            children: built.into(),
+            is_difference: operation == CsgOperation::Difference && !inside.inverse,
+        };
+    }
+
+    /// Adds the primitive of an object; `None` with a message, or silently where nothing shows.
+    fn primitive(&mut self, object: &Object, inside: &Context, id: ObjectId) -> Option<u32> {
+        let mut inverse = inside.inverse && !is_patch(&object.shape);
+        let folded = match super::freeform::convert(self, object, inside) {
+            Some(converted) => converted?,
+            None => fold(&object.shape, inside.group_from_parent, &mut inverse)?,
+        };
+        let look = self.add_look(inside.look(id));
+        self.geometry.primitives.push(Primitive {
+            shape: folded.shape,
+            group_from_local: folded.group_from_local.map(Box::new),
+            inverse,
+            uv_from_group: folded.uv_from_group.map(Box::new),
+            look,
+        });
+        Some(self.geometry.primitives.len() as u32 - 1)
+    }
+}
+
+/// Surfaces without an inside, on which `inverse` has no effect.
+pub(super) fn is_patch(shape: &Shape) -> bool {
+    match shape {
+        Shape::Triangle { .. }
+        | Shape::SmoothTriangle { .. }
+        | Shape::Polygon { .. }
+        | Shape::BicubicPatch(_)
+        | Shape::Parametric(_) => true,
+        Shape::Mesh(mesh) => mesh.inside_vector.is_none(),
+        _ => false,
+    }
+}
+
+/// Around everything inside a primitive.
+fn extent(primitive: &Primitive) -> Bounds {
+    if primitive.inverse {
+        return Bounds::INFINITE;
+    }
+    match &primitive.shape {
+        Compiled::Plane(plane) => {
+            // A plane along the axes bounds a half space.
+            let mut b = Bounds::INFINITE;
+            for axis in 0..3 {
+                if plane.normal.abs() == DVec3::AXES[axis] {
+                    let side = if plane.normal[axis] > 0.0 { &mut b.max } else { &mut b.min };
+                    let slack = plane.distance.abs() * crate::math::gamma(32);
+                    side[axis] = plane.distance * plane.normal[axis] + slack * plane.normal[axis];
+                }
+            }
+            b
+        }
+        Compiled::Disc(_) | Compiled::Triangle(_) | Compiled::SmoothTriangle(_) => Bounds::INFINITE,
+        Compiled::Mesh(mesh) if mesh.inside_vector.is_none() => Bounds::INFINITE,
+        _ => primitive.bounds(),
+    }
+}

@@ -1,0 +1,85 @@
+//! Pass 1, `census`: what a scene uses how often, how large it is, and whether we can render it.
+
+use crate::diag::Diagnostic;
+use crate::scene::{Object, Shape};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// How deep objects may stand inside each other; each level costs stack while rendering.
+pub(super) const MAX_NESTING: usize = 400;
+
+/// What is known about one list of children, which every copy of a CSG object shares.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Entry {
+    /// How many objects refer to it.
+    pub(super) uses: u32,
+    /// Primitives in it, copies counted each time.
+    pub(super) weight: u64,
+    /// Holds a light source.
+    pub(super) lights: bool,
+    /// Holds a light group, whose members cannot be shared.
+    pub(super) light_groups: bool,
+    /// Something in it has a texture.
+    pub(super) textured: bool,
+}
+
+/// Facts about all lists of children, by address.
+#[derive(Debug, Default)]
+pub(super) struct Census {
+    entries: FxHashMap<*const Arc<Object>, Entry>,
+    pub(super) errors: Vec<Diagnostic>,
+}
+
+impl Census {
+    /// Visits an object and everything in it.
+    pub(super) fn count(&mut self, object: &Object, depth: usize) -> Entry {
+        if depth > MAX_NESTING {
+            let message = format!("objects nested more than {MAX_NESTING} deep");
+            self.errors
+                .push(Diagnostic::error(object.span, message).hint("build fewer levels, with more objects in each"));
+            return Entry::default();
+        }
+        for other in object.clipped_by.iter().chain(&object.bounded_by) {
+            self.count(other, depth + 1);
+        }
+        let mut entry = match &object.shape {
+            Shape::Csg { children, .. } => self.count_children(children, depth),
+            Shape::LightGroup { children, .. } => Entry { light_groups: true, ..self.count_children(children, depth) },
+            Shape::LightSource(light) => {
+                let looks = light.looks_like.as_ref().map(|o| self.count(o, depth + 1)).unwrap_or_default();
+                Entry { lights: true, ..looks }
+            }
+            _ => Entry { weight: 1, ..Entry::default() },
+        };
+        entry.textured |= object.texture.is_some();
+        entry
+    }
+
+    fn count_children(&mut self, children: &Arc<[Arc<Object>]>, depth: usize) -> Entry {
+        let key = children.as_ptr();
+        if let Some(known) = self.entries.get_mut(&key) {
+            known.uses += 1;
+            return *known;
+        }
+        let mut sum = Entry { uses: 1, ..Entry::default() };
+        for child in children.iter() {
+            let one = self.count(child, depth + 1);
+            sum.weight = sum.weight.saturating_add(one.weight);
+            sum.lights |= one.lights;
+            sum.light_groups |= one.light_groups;
+            sum.textured |= one.textured;
+        }
+        self.entries.insert(key, sum);
+        sum
+    }
+
+    /// What is known about a list of children.
+    pub(super) fn of(&self, children: &Arc<[Arc<Object>]>) -> Entry {
+        self.entries.get(&children.as_ptr()).copied().unwrap_or_default()
+    }
+
+    /// Whether an object or anything in it has a texture.
+    pub(super) fn textured(&self, object: &Object) -> bool {
+        object.texture.is_some() || matches!(&object.shape, Shape::Csg { children, .. } if self.of(children).textured)
+    }
+}

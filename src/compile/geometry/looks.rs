@@ -1,0 +1,162 @@
+//! Pass 3, `inherit`: what children take from what contains them.
+//!
+//! Rules of the shape facts, section 12.2. Inside a shared group, what is missing stays missing
+//! and is found at the hit, on the way back through the instances.
+
+use super::builder::Builder;
+use crate::compiled::geometry::{InteriorId, LightGroupId, Look, ObjectId, Placement, Skips, TextureId};
+use crate::math::Transform;
+use crate::scene::{Object, PlacedTexture, Shape, Texture};
+use std::sync::Arc;
+
+/// What an object finds around it on the way down.
+#[derive(Clone, Debug)]
+pub(super) struct Context {
+    /// Takes the space that contains the object to that of the group.
+    pub(super) group_from_parent: Transform,
+    /// An odd number of inversions so far.
+    pub(super) inverse: bool,
+    pub(super) texture: Option<u32>,
+    pub(super) interior_texture: Option<u32>,
+    /// What a leaf without any texture gets; `None` inside shared groups.
+    pub(super) default_texture: Option<u32>,
+    pub(super) interior: Option<InteriorId>,
+    pub(super) uv_mapping: bool,
+    pub(super) hollow: Option<bool>,
+    pub(super) double_illuminate: Option<bool>,
+    pub(super) no_image: bool,
+    pub(super) no_reflection: bool,
+    pub(super) no_shadow: bool,
+    /// Cut faces without texture look for one; holds the solid's root once it is known.
+    pub(super) cutaway: bool,
+    pub(super) cutaway_root: Option<u32>,
+    pub(super) light_group: Option<LightGroupId>,
+}
+
+impl Context {
+    /// Around a shared group, or around nothing.
+    pub(super) fn bare() -> Self {
+        Self {
+            group_from_parent: Transform::IDENTITY,
+            inverse: false,
+            texture: None,
+            interior_texture: None,
+            default_texture: None,
+            interior: None,
+            uv_mapping: false,
+            hollow: None,
+            double_illuminate: None,
+            no_image: false,
+            no_reflection: false,
+            no_shadow: false,
+            cutaway: false,
+            cutaway_root: None,
+            light_group: None,
+        }
+    }
+
+    pub(super) fn skips(&self) -> Skips {
+        Skips::new(self.no_image, self.no_reflection, self.no_shadow)
+    }
+
+    /// The looks of a leaf, or of an instance on behalf of its contents.
+    pub(super) fn look(&self, object: ObjectId) -> Look {
+        let cutaway = self.cutaway_root.filter(|_| self.texture.is_none());
+        Look {
+            texture: if cutaway.is_some() { None } else { self.texture.or(self.default_texture) },
+            interior_texture: self.interior_texture,
+            interior: self.interior,
+            uv_mapping: self.uv_mapping,
+            double_illuminate: self.double_illuminate,
+            cutaway,
+            object,
+            light_group: self.light_group,
+        }
+    }
+}
+
+impl Builder<'_> {
+    /// The context inside an object: its own properties, completed by those around it.
+    /// `group_from_parent` becomes that of the object's contents.
+    pub(super) fn enter(&mut self, object: &Object, around: &Context) -> Context {
+        let flags = &object.flags;
+        let lacks_one = object.texture.is_none() || object.interior_texture.is_none();
+        let uv_mapping = flags.uv_mapping || (around.uv_mapping && lacks_one);
+        let place = &around.group_from_parent;
+        let hollow = flags.hollow.or(around.hollow);
+        let own = |builder: &mut Self, placed: &Option<PlacedTexture>| {
+            placed.as_ref().map(|p| builder.placement(p, place, flags.uv_mapping))
+        };
+        let texture = own(self, &object.texture);
+        let interior_texture = own(self, &object.interior_texture);
+        let interior = object.interior.as_ref().map(|i| {
+            let is_hollow = last_hollow(object, around.hollow);
+            self.interior(Arc::clone(i), is_hollow)
+        });
+        Context {
+            group_from_parent: object.transform.then(place),
+            inverse: around.inverse != flags.inverse,
+            texture: texture.or(around.texture),
+            interior_texture: interior_texture.or(around.interior_texture),
+            interior: interior.or(around.interior),
+            uv_mapping,
+            hollow,
+            double_illuminate: around.double_illuminate.or(flags.double_illuminate),
+            no_image: around.no_image || flags.no_image,
+            no_reflection: around.no_reflection || flags.no_reflection,
+            no_shadow: around.no_shadow || flags.no_shadow,
+            cutaway: around.cutaway || flags.cutaway_textures,
+            ..around.clone()
+        }
+    }
+
+    /// Notes a texture in a place, or finds the same one.
+    pub(super) fn placement(&mut self, placed: &PlacedTexture, group_from_parent: &Transform, fixed: bool) -> u32 {
+        let texture = self.texture(&placed.texture);
+        // Under uv mapping textures do not move with anything.
+        let forward = if fixed { placed.transform } else { placed.transform.then(group_from_parent) };
+        let m = forward.linear();
+        let key = [m.x_axis, m.y_axis, m.z_axis, forward.origin()].map(|v| v.to_array().map(f64::to_bits));
+        let placements = &mut self.geometry.placements;
+        *self.placement_ids.entry((texture, key)).or_insert_with(|| {
+            placements.push(Placement { texture, texture_from_group: forward.inverse() });
+            placements.len() as u32 - 1
+        })
+    }
+
+    /// The number of a texture.
+    pub(super) fn texture(&mut self, texture: &Arc<Texture>) -> TextureId {
+        let textures = &mut self.textures;
+        *self.texture_ids.entry(Arc::as_ptr(texture)).or_insert_with(|| {
+            textures.push(Arc::clone(texture));
+            TextureId(textures.len() as u32 - 1)
+        })
+    }
+
+    /// A new interior, private to the object that asks.
+    pub(super) fn interior(&mut self, interior: Arc<crate::scene::Interior>, hollow: bool) -> InteriorId {
+        self.interiors.push(interior);
+        self.geometry.hollow.push(hollow);
+        InteriorId(self.interiors.len() as u32 - 1)
+    }
+
+    /// Notes looks.
+    pub(super) fn add_look(&mut self, look: Look) -> u32 {
+        let looks = &mut self.geometry.looks;
+        if looks.last() != Some(&look) {
+            looks.push(look);
+        }
+        looks.len() as u32 - 1
+    }
+}
+
+/// Whether an interior ends up hollow: whoever shares it and is visited last decides.
+pub(super) fn last_hollow(object: &Object, around: Option<bool>) -> bool {
+    let (mut object, mut hollow) = (object, object.flags.hollow.or(around));
+    while let Shape::Csg { children, .. } | Shape::LightGroup { children, .. } = &object.shape {
+        let shares = |o: &&Arc<Object>| o.interior.is_none() && !matches!(o.shape, Shape::LightSource(_));
+        let Some(last) = children.iter().rev().find(shares) else { break };
+        (object, hollow) = (last, last.flags.hollow.or(hollow));
+    }
+    hollow.unwrap_or(false)
+}

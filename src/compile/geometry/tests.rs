@@ -1,0 +1,211 @@
+//! Probe values of the shape facts: what `trace` and `inside` give in POV-Ray.
+
+use super::compile_object;
+use crate::compiled::geometry::{RayKind, Scratch};
+use crate::diag::Span;
+use crate::math::{DVec3, Range, Ray, Transform};
+use crate::scene::{CsgOperation, Object, Shape};
+use std::sync::Arc;
+
+/// Shorthand for a point.
+pub(super) fn v(x: f64, y: f64, z: f64) -> DVec3 {
+    DVec3::new(x, y, z)
+}
+
+/// A bare object.
+pub(super) fn object(shape: Shape) -> Object {
+    Object::new(shape, Span::default())
+}
+
+/// An object moved.
+pub(super) fn moved(mut o: Object, t: &Transform) -> Object {
+    o.apply(t);
+    o
+}
+
+/// An object turned inside out.
+fn inverse(mut o: Object) -> Object {
+    o.flags.inverse = !o.flags.inverse;
+    o
+}
+
+/// A CSG object.
+pub(super) fn csg(operation: CsgOperation, children: impl IntoIterator<Item = Object>) -> Object {
+    object(Shape::Csg { operation, children: children.into_iter().map(Arc::new).collect() })
+}
+
+pub(super) fn sphere(center: DVec3, radius: f64) -> Object {
+    object(Shape::Sphere { center, radius })
+}
+
+pub(super) fn cuboid(corner1: DVec3, corner2: DVec3) -> Object {
+    object(Shape::Box { corner1, corner2 })
+}
+
+fn cylinder(base: DVec3, cap: DVec3, radius: f64, open: bool) -> Object {
+    object(Shape::Cylinder { base, cap, radius, open })
+}
+
+fn cone(base: DVec3, base_radius: f64, cap: DVec3, cap_radius: f64, open: bool) -> Object {
+    object(Shape::Cone { base, base_radius, cap, cap_radius, open })
+}
+
+fn torus(major: f64, minor: f64) -> Object {
+    object(Shape::Torus { major, minor, sturm: false })
+}
+
+fn triangle(a: DVec3, b: DVec3, c: DVec3) -> Object {
+    object(Shape::Triangle { vertices: [a, b, c] })
+}
+
+/// What a ray finds: the hit point and the raw normal.
+pub(super) fn trace(o: &Object, origin: DVec3, direction: DVec3) -> Option<(DVec3, DVec3)> {
+    let geometry = compile_object(&Arc::new(o.clone())).unwrap();
+    let ray = Ray::new(origin, direction.normalize());
+    let hit = geometry.intersect(&ray, Range::FORWARD, RayKind::Refracted, &mut Scratch::default())?;
+    let surface = geometry.surface(&ray, &hit);
+    Some((surface.point, surface.normal))
+}
+
+/// Traces and compares the hit point and, where given, the normal, to the digits POV-Ray prints.
+pub(super) fn check(o: &Object, origin: DVec3, direction: DVec3, expected: Option<(DVec3, Option<DVec3>)>) {
+    let found = trace(o, origin, direction);
+    let close = |a: DVec3, b: DVec3| (a - b).abs().max_element() < 2e-9 * b.abs().max_element().max(1.0);
+    let agrees = match (found, expected) {
+        (Some((p, n)), Some((point, normal))) => close(p, point) && normal.is_none_or(|m| close(n, m)),
+        (None, None) => true,
+        _ => false,
+    };
+    assert!(agrees, "{found:?}, expected {expected:?}");
+}
+
+/// Whether a point is inside.
+pub(super) fn inside(o: &Object, point: DVec3) -> bool {
+    compile_object(&Arc::new(o.clone())).unwrap().contains(point)
+}
+
+#[test]
+fn spheres() {
+    let s = sphere(DVec3::ZERO, 1.0);
+    check(&s, v(0.0, 0.0, -5.0), DVec3::Z, Some((v(0.0, 0.0, -1.0), Some(DVec3::NEG_Z))));
+    check(&inverse(s.clone()), v(0.0, 0.0, -5.0), DVec3::Z, Some((v(0.0, 0.0, -1.0), Some(DVec3::Z))));
+    check(&sphere(DVec3::ZERO, -1.0), v(0.0, 0.0, -5.0), DVec3::Z, Some((v(0.0, 0.0, -1.0), Some(DVec3::Z))));
+    check(&s, v(0.0, 1.5, -5.0), DVec3::Z, None);
+    // Smaller than POV-Ray can see.
+    check(&sphere(DVec3::ZERO, 1e-6), v(0.0, 0.0, -5.0), DVec3::Z, Some((v(0.0, 0.0, -1e-6), None)));
+    assert!(!inside(&s, DVec3::X) && inside(&s, v(0.99, 0.0, 0.0)));
+    let egg = moved(s, &Transform::scaling(v(1.0, 2.0, 1.0)));
+    check(&egg, v(0.0, 5.0, 0.0), DVec3::NEG_Y, Some((v(0.0, 2.0, 0.0), Some(DVec3::Y))));
+}
+
+#[test]
+fn boxes() {
+    let b = cuboid(DVec3::splat(-1.0), DVec3::ONE);
+    check(&b, v(3.0, 3.0, 0.0), v(-1.0, -1.0, 0.0), Some((v(1.0, 1.0, 0.0), Some(DVec3::X))));
+    check(&b, v(2.0, 3.0, 0.0), v(-1.0, -2.0, 0.0), Some((v(1.0, 1.0, 0.0), Some(DVec3::Y))));
+    check(&b, v(3.0, 3.0, 3.0), DVec3::NEG_ONE, Some((DVec3::ONE, Some(DVec3::X))));
+    check(&cuboid(DVec3::ZERO, DVec3::ONE), v(0.0, 0.5, -5.0), DVec3::Z, Some((v(0.0, 0.5, 0.0), None)));
+    assert!(inside(&b, DVec3::X) && !inside(&inverse(b), DVec3::X));
+}
+
+#[test]
+fn cones_and_cylinders() {
+    let c = cone(DVec3::ZERO, 2.0, 4.0 * DVec3::Y, 1.0, false);
+    let normal = v(-0.970_142_500, 0.242_535_625, 0.0);
+    check(&c, v(-10.0, 2.0, 0.0), DVec3::X, Some((v(-1.5, 2.0, 0.0), Some(normal))));
+    check(&c, v(0.5, 10.0, 0.5), DVec3::NEG_Y, Some((v(0.5, 4.0, 0.5), Some(DVec3::Y))));
+    assert!(
+        !inside(&c, v(1.5, 2.0, 0.0)) && inside(&cone(DVec3::ZERO, 2.0, 4.0 * DVec3::Y, 1.0, true), v(1.5, 2.0, 0.0))
+    );
+    let slim = |end| cone(DVec3::ZERO, 1.0, DVec3::Y, end, false);
+    check(&slim(1.0 - 0.9e-5), v(-5.0, 0.999, 0.0), DVec3::X, Some((v(-1.0, 0.999, 0.0), None)));
+    check(&slim(1.0 - 1.1e-5), v(-5.0, 0.999, 0.0), DVec3::X, Some((v(-0.999_989_011, 0.999, 0.0), None)));
+    let rod = cylinder(DVec3::ZERO, v(3.0, 4.0, 0.0), 1.0, false);
+    check(&rod, v(-3.0, -4.0, 0.0), v(3.0, 4.0, 0.0), Some((DVec3::ZERO, Some(v(-0.6, -0.8, 0.0)))));
+    // Far from the origin, where single-precision boxes would lose it.
+    let far = cylinder(v(1e5 + 0.3, 0.0, 0.0), v(1e5 + 0.3, 1.0, 0.0), 0.003, false);
+    check(&far, v(1e5 + 0.3, 0.5, -5.0), DVec3::Z, Some((v(1e5 + 0.3, 0.5, -0.003), None)));
+}
+
+#[test]
+fn tori() {
+    let normal = v(-0.979_795_897, 0.2, 0.0);
+    check(&torus(2.0, 0.5), v(-5.0, 0.1, 0.0), DVec3::X, Some((v(-2.489_897_949, 0.1, 0.0), Some(normal))));
+    check(&torus(2e-3, 0.5e-3), v(-5.0, 0.0, 0.0), DVec3::X, Some((v(-0.0025, 0.0, 0.0), None)));
+    check(&torus(0.0, 1.0), v(-5.0, 0.1, 0.0), DVec3::X, Some((v(-0.994_987_437, 0.1, 0.0), None)));
+    check(&torus(2.0, 0.5), v(0.0, 5.0, 0.0), DVec3::NEG_Y, None);
+    assert!(inside(&torus(0.5, 1.0), DVec3::ZERO));
+}
+
+#[test]
+fn planes_and_discs() {
+    let p = |n, d| object(Shape::Plane { normal: n, distance: d });
+    check(&p(2.0 * DVec3::Y, 3.0), v(0.0, 10.0, 0.0), DVec3::NEG_Y, Some((3.0 * DVec3::Y, Some(DVec3::Y))));
+    let mirrored = moved(p(DVec3::Y, 3.0), &Transform::scaling(v(1.0, -1.0, 1.0)));
+    check(&mirrored, v(0.0, 10.0, 0.0), DVec3::NEG_Y, Some((-3.0 * DVec3::Y, Some(DVec3::NEG_Y))));
+    check(&inverse(p(DVec3::Y, 3.0)), v(0.0, 10.0, 0.0), DVec3::NEG_Y, Some((3.0 * DVec3::Y, Some(DVec3::NEG_Y))));
+    assert!(inside(&p(DVec3::Y, 0.1), v(0.3, 0.1, 7.0)) && inside(&inverse(p(DVec3::Y, 0.1)), v(0.3, 0.1, 7.0)));
+    let disc = object(Shape::Disc { center: DVec3::Y, normal: DVec3::Y, radius: 2.0, hole_radius: 0.5 });
+    check(&disc, v(1.0, 5.0, 0.0), DVec3::NEG_Y, Some((v(1.0, 1.0, 0.0), Some(DVec3::Y))));
+    check(&disc, v(0.1, 5.0, 0.0), DVec3::NEG_Y, None);
+    assert!(inside(&disc, DVec3::ZERO) && !inside(&disc, 2.0 * DVec3::Y));
+}
+
+#[test]
+fn triangles_turn_their_normal_when_moved() {
+    let t = triangle(DVec3::ZERO, 2.0 * DVec3::Y, 2.0 * DVec3::X);
+    let from = v(0.5, 0.5, -5.0);
+    check(&t, from, DVec3::Z, Some((v(0.5, 0.5, 0.0), Some(DVec3::Z))));
+    let t = moved(t, &Transform::translation(v(0.0, 0.0, 1.0)));
+    check(&t, from, DVec3::Z, Some((v(0.5, 0.5, 1.0), Some(DVec3::NEG_Z))));
+    let smooth = object(Shape::SmoothTriangle {
+        vertices: [DVec3::ZERO, 2.0 * DVec3::X, 2.0 * DVec3::Y],
+        normals: [DVec3::NEG_ONE.normalize(), v(1.0, 0.0, -1.0).normalize(), v(0.0, 1.0, -1.0).normalize()],
+    });
+    let normal = v(-0.169_174_539, -0.169_174_539, -0.970_958_264);
+    check(&smooth, from, DVec3::Z, Some((v(0.5, 0.5, 0.0), Some(normal))));
+}
+
+#[test]
+fn solids() {
+    use CsgOperation::{Difference, Intersection, Merge, Union};
+    let big = || cuboid(DVec3::splat(-1.0), DVec3::ONE);
+    let cut = csg(Difference, [big(), cuboid(v(-0.5, -2.0, -0.5), v(0.5, 1.0, 0.5))]);
+    check(&cut, v(0.0, 5.0, 0.0), DVec3::NEG_Y, Some((DVec3::Y, Some(DVec3::NEG_Y))));
+    let drilled = |open| csg(Difference, [big(), cylinder(-2.0 * DVec3::Y, DVec3::Y, 0.5, open)]);
+    check(&drilled(true), v(0.0, 5.0, 0.0), DVec3::NEG_Y, None);
+    check(&drilled(false), v(0.0, 5.0, 0.0), DVec3::NEG_Y, Some((DVec3::Y, None)));
+    let shell = csg(Difference, [sphere(DVec3::ZERO, 1.0), sphere(DVec3::ZERO, 0.5)]);
+    let nested = csg(Difference, [sphere(DVec3::ZERO, 2.0), shell.clone()]);
+    assert!(inside(&nested, DVec3::ZERO) && !inside(&nested, 0.7 * DVec3::Z) && inside(&nested, 1.5 * DVec3::Z));
+    check(&nested, DVec3::ZERO, DVec3::Z, Some((0.5 * DVec3::Z, None)));
+    check(&nested, 0.6 * DVec3::Z, DVec3::Z, Some((DVec3::Z, None)));
+    let pair = || [sphere(v(-0.5, 0.0, 0.0), 1.0), sphere(v(0.5, 0.0, 0.0), 1.0)];
+    check(&csg(Union, pair()), v(-0.4, 0.0, 0.0), DVec3::X, Some((v(0.5, 0.0, 0.0), None)));
+    check(&csg(Merge, pair()), v(-0.4, 0.0, 0.0), DVec3::X, Some((v(1.5, 0.0, 0.0), None)));
+    check(&csg(Intersection, pair()), v(-5.0, 0.0, 0.0), DVec3::X, Some((v(-0.5, 0.0, 0.0), Some(DVec3::NEG_X))));
+    // Turned inside out twice is the same; once, normals turn.
+    let turned = inverse(csg(Intersection, pair()));
+    check(&turned, v(-5.0, 0.0, 0.0), DVec3::X, Some((v(-0.5, 0.0, 0.0), Some(DVec3::X))));
+    assert!(inside(&turned, 5.0 * DVec3::X) && !inside(&turned, DVec3::ZERO));
+}
+
+#[test]
+fn clips_keep_surfaces_open() {
+    let mut half = sphere(DVec3::ZERO, 1.0);
+    half.clipped_by.push(Arc::new(object(Shape::Plane { normal: DVec3::Z, distance: 0.0 })));
+    check(&half, v(0.0, 0.0, 5.0), DVec3::NEG_Z, Some((DVec3::NEG_Z, Some(DVec3::NEG_Z))));
+    let half = moved(half, &Transform::rotation_deg(v(0.0, 180.0, 0.0)));
+    check(&half, v(0.0, 0.0, 5.0), DVec3::NEG_Z, Some((DVec3::Z, Some(DVec3::Z))));
+    assert!(inside(&half, 0.5 * DVec3::Z) && !inside(&half, -0.5 * DVec3::Z));
+}
+
+#[test]
+fn too_deep_is_an_error() {
+    let mut o = sphere(DVec3::ZERO, 1.0);
+    for _ in 0..1000 {
+        o = csg(CsgOperation::Union, [o, sphere(DVec3::X, 1.0)]);
+    }
+    let messages = compile_object(&Arc::new(o)).unwrap_err();
+    assert!(messages[0].message.contains("nested"), "{messages:?}");
+}

@@ -1,0 +1,98 @@
+//! Answers to what a scene asks about its own objects while it is being read.
+
+use super::geometry::compile_object;
+use super::texture::TextureCompiler;
+use crate::compiled::geometry::{Geometry, RayKind, Scratch};
+use crate::compiled::texture::{Context, Pattern, Pigment};
+use crate::function::Callable;
+use crate::math::{Bounds, DVec3, Range, Ray};
+use crate::scene::{self, GeometryQueries, Object, Settings};
+use rustc_hash::FxHashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Compiles what is asked about, once for each object.
+#[derive(Debug, Default)]
+pub struct Queries {
+    /// By address.
+    known: Mutex<FxHashMap<usize, Known>>,
+}
+
+/// The object is kept so that its address stays its own.
+#[derive(Debug)]
+struct Known {
+    _object: Arc<Object>,
+    geometry: Arc<Geometry>,
+}
+
+impl Queries {
+    /// Objects that cannot be compiled count as empty here; the scene's own compilation says why.
+    fn geometry(&self, object: &Arc<Object>) -> Arc<Geometry> {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let address = Arc::as_ptr(object) as usize;
+        let compile =
+            || Known { _object: Arc::clone(object), geometry: Arc::new(compile_object(object).unwrap_or_default()) };
+        Arc::clone(&known.entry(address).or_insert_with(compile).geometry)
+    }
+}
+
+impl GeometryQueries for Queries {
+    fn trace(&self, object: &Arc<Object>, ray: &Ray) -> Option<(DVec3, DVec3)> {
+        let geometry = self.geometry(object);
+        let hit = geometry.intersect(ray, Range::FORWARD, RayKind::Shadow, &mut Scratch::default())?;
+        let surface = geometry.surface(ray, &hit);
+        Some((surface.point, surface.normal))
+    }
+
+    fn inside(&self, object: &Arc<Object>, point: DVec3) -> Option<bool> {
+        Some(self.geometry(object).contains(point))
+    }
+
+    fn extent(&self, object: &Arc<Object>) -> Bounds {
+        self.geometry(object).bounds()
+    }
+
+    fn pigment_function(&self, pigment: &Arc<scene::Pigment>) -> Arc<dyn Callable> {
+        let settings = Settings::default();
+        let compiled = TextureCompiler::new(&settings).pigment(pigment);
+        Arc::new(PigmentFunction(compiled.unwrap_or(Pigment::Solid(crate::math::Color::BLACK))))
+    }
+
+    fn pattern_function(&self, pattern: &Arc<scene::Pattern>) -> Arc<dyn Callable> {
+        let settings = Settings::default();
+        let compiled = TextureCompiler::new(&settings).pattern(pattern);
+        Arc::new(PatternFunction(compiled.unwrap_or(Pattern::of(crate::compiled::texture::PatternKind::None))))
+    }
+}
+
+fn point(args: &[f64]) -> DVec3 {
+    let at = |i: usize| args.get(i).copied().unwrap_or(0.0);
+    DVec3::new(at(0), at(1), at(2))
+}
+
+/// Red, green, blue, filter and transmit at a point.
+#[derive(Debug)]
+struct PigmentFunction(Pigment);
+
+impl Callable for PigmentFunction {
+    fn width(&self) -> usize {
+        5
+    }
+
+    fn call(&self, args: &[f64]) -> [f64; 5] {
+        self.0.color_or_clear(point(args), &Context::default()).to_array()
+    }
+}
+
+/// One value at a point.
+#[derive(Debug)]
+struct PatternFunction(Pattern);
+
+impl Callable for PatternFunction {
+    fn width(&self) -> usize {
+        1
+    }
+
+    fn call(&self, args: &[f64]) -> [f64; 5] {
+        [self.0.value(point(args), &Context::default()), 0.0, 0.0, 0.0, 0.0]
+    }
+}

@@ -1,0 +1,207 @@
+//! The compiled scene graph: groups of items, shared through instances; solids as trees of nodes.
+//!
+//! All indices point into the lists of one [`Geometry`](super::Geometry). A group is a set of
+//! objects that do not combine (a split union); its items live in the group's space. A solid is a
+//! tree whose parts combine; all its primitives share one space, so that surviving hits are
+//! decided in the same numbers in which they were found.
+
+use super::bvh::{Box32, Bvh};
+use super::record::{InteriorId, LightGroupId, ObjectId, RayKind, TextureId};
+use super::shape::{Primitive as _, Shape, Sphere};
+use crate::math::{Bounds, Transform};
+use rayon::prelude::*;
+
+/// The kinds of ray that pass an object by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Skips(u8);
+
+impl Skips {
+    const IMAGE: u8 = 1;
+    const REFLECTION: u8 = 2;
+    const SHADOW: u8 = 4;
+
+    pub(crate) fn new(no_image: bool, no_reflection: bool, no_shadow: bool) -> Self {
+        let bit = |flag: bool, mask: u8| if flag { mask } else { 0 };
+        Self(bit(no_image, Self::IMAGE) | bit(no_reflection, Self::REFLECTION) | bit(no_shadow, Self::SHADOW))
+    }
+
+    pub(crate) fn skips(self, kind: RayKind) -> bool {
+        let mask = match kind {
+            RayKind::Camera | RayKind::Refracted => Self::IMAGE,
+            RayKind::Reflected => Self::REFLECTION,
+            RayKind::Shadow => Self::SHADOW,
+        };
+        self.0 & mask != 0
+    }
+
+    /// Whether no kind of ray sees it.
+    pub(crate) fn skips_all(self) -> bool {
+        self.0 == Self::IMAGE | Self::REFLECTION | Self::SHADOW
+    }
+}
+
+/// What stands in a group.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum ItemKind {
+    /// A sphere in the group's own space, the data at hand.
+    Sphere(Sphere, u32),
+    /// Any other primitive without clips.
+    Primitive(u32),
+    /// A tree of nodes.
+    Solid(u32),
+    /// A shared group in another place.
+    Instance(u32),
+}
+
+/// An object of a group.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Item {
+    pub(crate) kind: ItemKind,
+    pub(crate) skips: Skips,
+}
+
+/// Objects that do not combine.
+#[derive(Debug, Default)]
+pub(crate) struct Group {
+    /// Finite ones, in the order of the hierarchy.
+    pub(crate) items: Vec<Item>,
+    pub(crate) bvh: Bvh,
+    /// The rest, in file order.
+    pub(crate) infinite: Vec<Item>,
+    pub(crate) bounds: Bounds,
+}
+
+/// Items in a leaf: their tests are costly, boxes are cheap.
+const LEAF_SIZE: usize = 2;
+
+impl Group {
+    /// Builds the hierarchy over items with their bounds.
+    pub(crate) fn new(items: Vec<(Item, Bounds)>) -> Self {
+        let (finite, infinite): (Vec<_>, Vec<_>) = items.into_iter().partition(|(_, b)| b.is_finite());
+        let bounds = finite.iter().fold(Bounds::EMPTY, |sum, (_, b)| sum.union(b));
+        let bounds = if infinite.is_empty() { bounds } else { Bounds::INFINITE };
+        let (bvh, order) = Bvh::build(finite.par_iter().map(|(_, b)| Box32::from(b)), LEAF_SIZE);
+        let items = order.iter().map(|i| finite[*i as usize].0).collect();
+        Self { items, bvh, infinite: infinite.into_iter().map(|(item, _)| item).collect(), bounds }
+    }
+}
+
+/// A shared group in one place.
+#[derive(Clone, Debug)]
+pub(crate) struct Instance {
+    pub(crate) group: u32,
+    pub(crate) parent_from_group: Transform,
+    /// What the contents inherit.
+    pub(crate) look: u32,
+}
+
+/// A shape in its place.
+#[derive(Clone, Debug)]
+pub(crate) struct Primitive {
+    pub(crate) shape: Shape,
+    /// `None` where the shape is given in the space of its group.
+    pub(crate) group_from_local: Option<Box<Transform>>,
+    /// Inside and outside are exchanged.
+    pub(crate) inverse: bool,
+    /// Takes points to the space in which the shape's own uv coordinates are defined, where
+    /// folding a transform into the shape changed that.
+    pub(crate) uv_from_group: Option<Box<Transform>>,
+    pub(crate) look: u32,
+}
+
+impl Primitive {
+    /// Around the surface, in the group's space, with room for rounding.
+    pub(crate) fn bounds(&self) -> Bounds {
+        let local = self.shape.bounds();
+        let bounds = match &self.group_from_local {
+            Some(place) => place.bounds(&local),
+            None => local,
+        };
+        padded(bounds)
+    }
+}
+
+/// Grown by the rounding of transforms and slab tests.
+pub(crate) fn padded(b: Bounds) -> Bounds {
+    if !b.is_finite() {
+        return b;
+    }
+    let pad = b.min.abs().max(b.max.abs()) * crate::math::gamma(32);
+    Bounds { min: b.min - pad, max: b.max + pad }
+}
+
+/// How children of a node combine; differences have become intersections with inverses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Operation {
+    Union,
+    Merge,
+    Intersection,
+}
+
+/// A part of a solid.
+#[derive(Clone, Debug)]
+pub(crate) enum NodeKind {
+    Primitive(u32),
+    Csg {
+        operation: Operation,
+        children: Box<[u32]>,
+        /// Written as `difference`: cut faces take the texture of the first child alone.
+        is_difference: bool,
+    },
+}
+
+/// A part of a solid with its clips.
+#[derive(Clone, Debug)]
+pub(crate) struct Node {
+    pub(crate) kind: NodeKind,
+    /// Around all surfaces that may survive; infinite where unknown.
+    pub(crate) bounds: Bounds,
+    /// Around all points inside; infinite where unknown.
+    pub(crate) extent: Bounds,
+    /// Nodes in which a hit must be.
+    pub(crate) clips: Box<[u32]>,
+    /// Nodes that a ray must meet, or start in.
+    pub(crate) bounded_by: Box<[u32]>,
+    pub(crate) skips: Skips,
+    /// Of the solid itself, at its root.
+    pub(crate) look: u32,
+}
+
+impl Node {
+    /// A union of nothing.
+    pub(crate) fn placeholder() -> Self {
+        Self {
+            kind: NodeKind::Csg { operation: Operation::Union, children: Box::default(), is_difference: false },
+            bounds: Bounds::EMPTY,
+            extent: Bounds::EMPTY,
+            clips: Box::default(),
+            bounded_by: Box::default(),
+            skips: Skips::default(),
+            look: 0,
+        }
+    }
+}
+
+/// A texture with its place.
+#[derive(Clone, Debug)]
+pub(crate) struct Placement {
+    pub(crate) texture: TextureId,
+    /// Takes the space of the group in which the textured object stands to texture space.
+    pub(crate) texture_from_group: Transform,
+}
+
+/// What an object says about its looks; `None` is left to what contains it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Look {
+    /// Index of a placement.
+    pub(crate) texture: Option<u32>,
+    /// Index of a placement.
+    pub(crate) interior_texture: Option<u32>,
+    pub(crate) interior: Option<InteriorId>,
+    pub(crate) uv_mapping: bool,
+    pub(crate) double_illuminate: Option<bool>,
+    /// Without a texture of its own, takes that of the objects cut: the solid's root node.
+    pub(crate) cutaway: Option<u32>,
+    pub(crate) object: ObjectId,
+    pub(crate) light_group: Option<LightGroupId>,
+}

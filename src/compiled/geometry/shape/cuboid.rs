@@ -1,0 +1,93 @@
+//! `box`: axis-aligned between two corners.
+
+use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
+
+/// An axis-aligned box; no thickness is fine. Parts: twice the axis, plus one for the upper face.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cuboid {
+    pub(crate) min: DVec3,
+    pub(crate) max: DVec3,
+}
+
+impl Cuboid {
+    /// Entry and exit anywhere on the line.
+    ///
+    /// Where a ray meets an edge, the face whose axis the direction follows more wins, as in
+    /// POV-Ray; its tie threshold of 1e-6 in t becomes a rounding bound here.
+    fn crossing_pair(&self, ray: &Ray) -> Option<(ShapeHit, ShapeHit)> {
+        let mut enter = (f64::NEG_INFINITY, 0, 0.0);
+        let mut leave = (f64::INFINITY, 0, 0.0);
+        for axis in 0..3 {
+            let (o, d) = (ray.origin[axis], ray.direction[axis]);
+            let (low, high) = (self.min[axis], self.max[axis]);
+            if d == 0.0 {
+                if o < low || o > high {
+                    return None;
+                }
+                continue;
+            }
+            let part = 2 * axis as u32;
+            let (near, far, near_part, far_part) = if d > 0.0 {
+                ((low - o) / d, (high - o) / d, part, part + 1)
+            } else {
+                ((high - o) / d, (low - o) / d, part + 1, part)
+            };
+            let tie = |a: f64, b: f64| b.is_finite() && (a - b).abs() <= gamma(6) * (a.abs() + b.abs());
+            if tie(near, enter.0) {
+                enter = if d.abs() > enter.2 { (enter.0, near_part, d.abs()) } else { enter };
+            } else if near > enter.0 {
+                enter = (near, near_part, d.abs());
+            }
+            if tie(far, leave.0) {
+                leave = if d.abs() > leave.2 { (leave.0, far_part, d.abs()) } else { leave };
+            } else if far < leave.0 {
+                leave = (far, far_part, d.abs());
+            }
+        }
+        let hits = (ShapeHit { t: enter.0, part: enter.1 }, ShapeHit { t: leave.0, part: leave.1 });
+        (enter.0 <= leave.0 && leave.0.is_finite()).then_some(hits)
+    }
+
+    /// The unfolded-cube coordinates of the shape facts, section 3.2.
+    fn uv(&self, point: DVec3, part: u32) -> DVec2 {
+        let size = self.max - self.min;
+        let p = (point - self.min) / DVec3::select(size.cmpeq(DVec3::ZERO), DVec3::ONE, size);
+        let (third, side) = (1.0 / 3.0, 1.0 / 3.0 + p.y / 3.0);
+        match part {
+            0 => DVec2::new(p.z / 4.0, side),
+            1 => DVec2::new(0.75 - p.z / 4.0, side),
+            2 => DVec2::new(0.25 + p.x / 4.0, p.z * third),
+            3 => DVec2::new(0.25 + p.x / 4.0, 1.0 - p.z * third),
+            4 => DVec2::new(1.0 - p.x / 4.0, side),
+            _ => DVec2::new(0.25 + p.x / 4.0, side),
+        }
+    }
+}
+
+impl Primitive for Cuboid {
+    fn bounds(&self) -> Bounds {
+        Bounds { min: self.min, max: self.max }
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        if let Some((enter, leave)) = self.crossing_pair(ray) {
+            out.extend([enter, leave].into_iter().filter(|h| range.contains(h.t)));
+        }
+    }
+
+    fn contains(&self, p: DVec3) -> bool {
+        self.bounds().contains(p)
+    }
+
+    fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
+        let (axis, upper) = ((part / 2) as usize, part % 2 == 1);
+        let mut point = ray.at(t).clamp(self.min, self.max);
+        point[axis] = if upper { self.max[axis] } else { self.min[axis] };
+        let mut normal = DVec3::ZERO;
+        normal[axis] = if upper { 1.0 } else { -1.0 };
+        // The point lies in the face exactly; what remains is the next ray's own rounding.
+        let error = gamma(2) * self.min.abs().max(self.max.abs()).max_element();
+        LocalSurface { uv: Some(self.uv(point, part)), ..LocalSurface::plain(point, error, normal) }
+    }
+}

@@ -1,0 +1,181 @@
+//! The primitives, each canonical in its own space, behind one enum.
+//!
+//! Each answers: where are its bounds, which crossings does a ray have, is a point inside, and
+//! what does the surface look like at a hit.
+
+mod cone;
+mod cuboid;
+mod mesh;
+mod plane;
+mod sphere;
+mod torus;
+mod triangle;
+
+pub(crate) use cone::Cone;
+pub(crate) use cuboid::Cuboid;
+pub(crate) use mesh::{Mesh, MeshData, MeshTree};
+pub(crate) use plane::{Disc, Plane};
+pub(crate) use sphere::{Sphere, spherical_uv};
+pub(crate) use torus::Torus;
+pub(crate) use triangle::{SmoothTriangle, Triangle};
+
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray};
+use smallvec::SmallVec;
+
+/// One crossing of a ray with a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ShapeHit {
+    /// Ray parameter.
+    pub(crate) t: f64,
+    /// Face, segment or the like; the shape's own affair.
+    pub(crate) part: u32,
+}
+
+/// Crossings in the order in which the shape records them: of equal ones the last counts.
+pub(crate) type ShapeHits = SmallVec<[ShapeHit; 8]>;
+
+/// The surface at a hit, in the shape's own space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LocalSurface {
+    /// The point, moved onto the surface.
+    pub(crate) point: DVec3,
+    /// Bound of its distance from the true surface.
+    pub(crate) error: f64,
+    /// Outward normal, any length.
+    pub(crate) normal: DVec3,
+    /// Interpolated normal where that differs, any length.
+    pub(crate) shading_normal: Option<DVec3>,
+    /// Surface coordinates where the shape has its own.
+    pub(crate) uv: Option<DVec2>,
+}
+
+impl LocalSurface {
+    /// Without interpolation and surface coordinates.
+    fn plain(point: DVec3, error: f64, normal: DVec3) -> Self {
+        Self { point, error, normal, shading_normal: None, uv: None }
+    }
+}
+
+/// What every primitive can do, in its own space. Directions need not be unit vectors.
+pub(crate) trait Primitive {
+    /// A box that holds the whole surface; may be infinite.
+    fn bounds(&self) -> Bounds;
+
+    /// Appends all crossings strictly inside `range`, in no particular order.
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits);
+
+    /// Whether the point is inside; on the boundary as POV-Ray decides it for the shape.
+    fn contains(&self, point: DVec3) -> bool;
+
+    /// The surface where `ray` crosses `part` at `t`.
+    fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface;
+
+    /// The nearest crossing; of equal ones the last recorded.
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
+        let mut hits = ShapeHits::new();
+        self.crossings(ray, range, &mut hits);
+        hits.into_iter().reduce(|best, hit| if hit.t <= best.t { hit } else { best })
+    }
+
+    /// Whether there is any crossing.
+    fn occluded(&self, ray: &Ray, range: Range) -> bool {
+        self.intersect(ray, range).is_some()
+    }
+}
+
+/// Declares the enum of all shapes and its dispatch by `match`.
+macro_rules! shapes {
+    ($($name:ident($type:ty),)*) => {
+        /// Any primitive.
+        #[derive(Clone, Debug)]
+        pub(crate) enum Shape { $($name($type),)* }
+
+        impl Primitive for Shape {
+            fn bounds(&self) -> Bounds {
+                match self { $(Self::$name(s) => s.bounds(),)* }
+            }
+            fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+                match self { $(Self::$name(s) => s.crossings(ray, range, out),)* }
+            }
+            fn contains(&self, point: DVec3) -> bool {
+                match self { $(Self::$name(s) => s.contains(point),)* }
+            }
+            fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
+                match self { $(Self::$name(s) => s.surface(ray, t, part),)* }
+            }
+            fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
+                match self { $(Self::$name(s) => s.intersect(ray, range),)* }
+            }
+            fn occluded(&self, ray: &Ray, range: Range) -> bool {
+                match self { $(Self::$name(s) => s.occluded(ray, range),)* }
+            }
+        }
+    };
+}
+
+shapes! {
+    Sphere(Sphere),
+    Cuboid(Cuboid),
+    Plane(Plane),
+    Disc(Disc),
+    Cone(Cone),
+    Torus(Torus),
+    Triangle(Box<Triangle>),
+    SmoothTriangle(Box<SmoothTriangle>),
+    Mesh(Mesh),
+}
+
+impl<P: Primitive> Primitive for Box<P> {
+    fn bounds(&self) -> Bounds {
+        (**self).bounds()
+    }
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        (**self).crossings(ray, range, out);
+    }
+    fn contains(&self, point: DVec3) -> bool {
+        (**self).contains(point)
+    }
+    fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
+        (**self).surface(ray, t, part)
+    }
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
+        (**self).intersect(ray, range)
+    }
+    fn occluded(&self, ray: &Ray, range: Range) -> bool {
+        (**self).occluded(ray, range)
+    }
+}
+
+/// A ray with a unit direction and its origin moved near the shape, for forms that cancel when
+/// seen from far away; `t` of the original is `(s + start) / speed`.
+#[derive(Clone, Copy, Debug)]
+struct NearRay {
+    origin: DVec3,
+    direction: DVec3,
+    /// Distance from the original origin to this one.
+    start: f64,
+    /// Length of the original direction.
+    speed: f64,
+}
+
+impl NearRay {
+    /// Moves the origin to the point closest to `center`, unless it is within `reach` of it:
+    /// a nearby origin stays exact, so that a ray leaving the surface knows its side.
+    fn new(ray: &Ray, center: DVec3, reach: f64) -> Self {
+        let speed = ray.direction.length();
+        let direction = ray.direction / speed;
+        let offset = center - ray.origin;
+        let start = if offset.length_squared() <= reach * reach { 0.0 } else { offset.dot(direction) };
+        Self { origin: ray.origin + direction * start, direction, start, speed }
+    }
+
+    /// The parameter range along this ray.
+    fn range(&self, range: Range) -> Range {
+        Range { min: range.min * self.speed - self.start, max: range.max * self.speed - self.start }
+    }
+
+    /// Back to the original parameter.
+    fn t(&self, s: f64) -> f64 {
+        (s + self.start) / self.speed
+    }
+}

@@ -1,0 +1,80 @@
+//! Planes and discs.
+
+use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
+use crate::math::{Bounds, DVec3, Range, Ray, dot_error, gamma};
+
+/// The plane n · p = distance with a unit normal; inside is against the normal.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plane {
+    pub(crate) normal: DVec3,
+    pub(crate) distance: f64,
+}
+
+impl Plane {
+    /// Signed distance of a point.
+    fn height(&self, p: DVec3) -> f64 {
+        self.normal.dot(p) - self.distance
+    }
+}
+
+impl Primitive for Plane {
+    fn bounds(&self) -> Bounds {
+        Bounds::INFINITE
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        out.extend(self.intersect(ray, range));
+    }
+
+    #[inline]
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
+        let t = -self.height(ray.origin) / self.normal.dot(ray.direction);
+        // A parallel ray gives an infinite t or NaN, which no range contains.
+        (range.contains(t) && t.is_finite()).then_some(ShapeHit { t, part: 0 })
+    }
+
+    /// A plane and its inverse both contain their boundary, which is as thick as rounding makes it.
+    fn contains(&self, p: DVec3) -> bool {
+        // Twice for the rounding of a hit point that another surface put here.
+        self.height(p) <= 4.0 * dot_error(self.normal, p) + gamma(2) * self.distance.abs()
+    }
+
+    fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
+        let p = ray.at(t);
+        let point = p - self.normal * self.height(p);
+        let error = 2.0 * dot_error(self.normal, point) + gamma(4) * (self.distance.abs() + point.abs().max_element());
+        LocalSurface::plain(point, error, self.normal)
+    }
+}
+
+/// A ring in the plane z = 0, between two squared radii; inside is the half space z < 0.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Disc {
+    pub(crate) hole_squared: f64,
+    pub(crate) radius_squared: f64,
+}
+
+impl Primitive for Disc {
+    fn bounds(&self) -> Bounds {
+        let r = self.radius_squared.sqrt();
+        Bounds { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, 0.0) }
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        let t = -ray.origin.z / ray.direction.z;
+        if range.contains(t) && t.is_finite() {
+            let distance_squared = ray.at(t).truncate().length_squared();
+            if self.hole_squared <= distance_squared && distance_squared <= self.radius_squared {
+                out.push(ShapeHit { t, part: 0 });
+            }
+        }
+    }
+
+    fn contains(&self, p: DVec3) -> bool {
+        p.z < 0.0
+    }
+
+    fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
+        LocalSurface::plain(ray.at(t).with_z(0.0), 0.0, DVec3::Z)
+    }
+}

@@ -1,0 +1,176 @@
+//! Constructive solid geometry: which crossings survive, and what is inside.
+//!
+//! A node hands up all its crossings within a range. A crossing survives a merge if it is in no
+//! other child, an intersection if it is in every other child, and clips if it is in all of
+//! them; this is decided at the crossing's own point by each child's inside test, never by
+//! sorting intervals, as POV-Ray does (shape facts, section 10.2).
+
+use super::Geometry;
+use super::graph::{Node, NodeKind, Operation};
+use super::record::RayKind;
+use super::shape::{Primitive as _, ShapeHits};
+use crate::math::{Bounds, DVec3, Range, Ray, gamma};
+
+/// A crossing on its way up.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Crossing {
+    pub(crate) t: f64,
+    pub(crate) primitive: u32,
+    pub(crate) part: u32,
+}
+
+/// Per-thread buffers, so that no ray allocates.
+#[derive(Debug, Default)]
+pub struct Scratch {
+    crossings: Vec<Crossing>,
+    hits: ShapeHits,
+}
+
+/// Whether a ray may meet a box within a range; errs on the side of yes.
+pub(crate) fn may_meet(b: &Bounds, ray: &Ray, range: Range) -> bool {
+    let (mut low, mut high) = (range.min, range.max);
+    for axis in 0..3 {
+        let (o, d) = (ray.origin[axis], ray.direction[axis]);
+        if d == 0.0 {
+            if o < b.min[axis] || o > b.max[axis] {
+                return false;
+            }
+            continue;
+        }
+        let (t0, t1) = ((b.min[axis] - o) / d, (b.max[axis] - o) / d);
+        // NaN, from infinite bounds, leaves the interval as it is.
+        low = low.max(t0.min(t1));
+        high = high.min(t0.max(t1) * (1.0 + gamma(8)));
+    }
+    low <= high
+}
+
+impl Geometry {
+    /// The nearest surviving crossing of a solid; of equal ones the last recorded.
+    pub(super) fn solid_nearest(
+        &self,
+        root: u32,
+        ray: &Ray,
+        range: Range,
+        kind: RayKind,
+        scratch: &mut Scratch,
+    ) -> Option<Crossing> {
+        scratch.crossings.clear();
+        self.crossings(root, ray, range, kind, true, scratch);
+        scratch.crossings.iter().copied().reduce(|best, c| if c.t <= best.t { c } else { best })
+    }
+
+    /// Appends what survives of a node's crossings, in the order in which POV-Ray records them.
+    fn crossings(&self, index: u32, ray: &Ray, range: Range, kind: RayKind, is_root: bool, scratch: &mut Scratch) {
+        let node = &self.nodes[index as usize];
+        if !may_meet(&node.bounds, ray, range) || !self.passes_bounds(node, ray, scratch) {
+            return;
+        }
+        let start = scratch.crossings.len();
+        let mut reverses = !node.clips.is_empty();
+        match &node.kind {
+            NodeKind::Primitive(p) => self.primitive_crossings(*p, ray, range, scratch),
+            NodeKind::Csg { operation, children, .. } => {
+                reverses |= *operation != Operation::Union;
+                for (i, child) in children.iter().enumerate() {
+                    if self.hides(*operation, *child, kind) {
+                        continue;
+                    }
+                    let first = scratch.crossings.len();
+                    self.crossings(*child, ray, range, kind, false, scratch);
+                    if *operation != Operation::Union {
+                        retain(&mut scratch.crossings, first, |c| {
+                            self.survives(*operation, children, i, ray.at(c.t), kind)
+                        });
+                    }
+                }
+            }
+        }
+        if !node.clips.is_empty() {
+            retain(&mut scratch.crossings, start, |c| node.clips.iter().all(|n| self.node_contains(*n, ray.at(c.t))));
+        }
+        if reverses && !(is_root && scratch.crossings.len() < 2) {
+            scratch.crossings[start..].reverse();
+        }
+    }
+
+    /// Crossings of one primitive.
+    fn primitive_crossings(&self, index: u32, ray: &Ray, range: Range, scratch: &mut Scratch) {
+        let primitive = &self.primitives[index as usize];
+        scratch.hits.clear();
+        match &primitive.group_from_local {
+            Some(place) => primitive.shape.crossings(&place.inverse_ray(ray), range, &mut scratch.hits),
+            None => primitive.shape.crossings(ray, range, &mut scratch.hits),
+        }
+        let Scratch { crossings, hits } = scratch;
+        crossings.extend(hits.iter().map(|h| Crossing { t: h.t, primitive: index, part: h.part }));
+    }
+
+    /// Whether a crossing of child `own` at `point` is left by the other children.
+    fn survives(&self, operation: Operation, children: &[u32], own: usize, point: DVec3, kind: RayKind) -> bool {
+        let mut others = children.iter().enumerate().filter(|(i, _)| *i != own).map(|(_, n)| *n);
+        match operation {
+            Operation::Union => true,
+            Operation::Merge => others.all(|n| self.hides(operation, n, kind) || !self.node_contains(n, point)),
+            Operation::Intersection => others.all(|n| self.node_contains(n, point)),
+        }
+    }
+
+    /// Whether a part passes by unseen: POV-Ray honours a part's own flags only in some
+    /// operations and for some rays (shape facts, section 12.3).
+    fn hides(&self, operation: Operation, child: u32, kind: RayKind) -> bool {
+        let honoured = match (operation, kind) {
+            (Operation::Intersection, _) | (_, RayKind::Shadow) | (Operation::Union, RayKind::Camera) => false,
+            (Operation::Union | Operation::Merge, _) => true,
+        };
+        honoured && self.nodes[child as usize].skips.skips(kind)
+    }
+
+    /// Whether the ray meets, or starts in, everything that bounds the node.
+    fn passes_bounds(&self, node: &Node, ray: &Ray, scratch: &mut Scratch) -> bool {
+        node.bounded_by.iter().all(|bound| {
+            let start = scratch.crossings.len();
+            let meets = self.node_contains(*bound, ray.origin) || {
+                self.crossings(*bound, ray, Range::FORWARD, RayKind::Refracted, false, scratch);
+                scratch.crossings.len() > start
+            };
+            scratch.crossings.truncate(start);
+            meets
+        })
+    }
+
+    /// Whether a point is inside a node and all its clips.
+    pub(super) fn node_contains(&self, index: u32, point: DVec3) -> bool {
+        let node = &self.nodes[index as usize];
+        if !node.extent.contains(point) {
+            return false;
+        }
+        let inside = match &node.kind {
+            NodeKind::Primitive(p) => self.primitive_contains(*p, point),
+            NodeKind::Csg { operation: Operation::Intersection, children, .. } => {
+                children.iter().all(|n| self.node_contains(*n, point))
+            }
+            NodeKind::Csg { children, .. } => children.iter().any(|n| self.node_contains(*n, point)),
+        };
+        inside && node.clips.iter().all(|n| self.node_contains(*n, point))
+    }
+
+    /// Whether a point is inside a primitive, as inverted.
+    pub(super) fn primitive_contains(&self, index: u32, point: DVec3) -> bool {
+        let primitive = &self.primitives[index as usize];
+        let local = primitive.group_from_local.as_ref().map_or(point, |place| place.inverse_point(point));
+        primitive.shape.contains(local) != primitive.inverse
+    }
+}
+
+/// Keeps what passes, from `first` on.
+fn retain(crossings: &mut Vec<Crossing>, first: usize, mut keep: impl FnMut(&Crossing) -> bool) {
+    let mut kept = first;
+    for i in first..crossings.len() {
+        if keep(&crossings[i]) {
+            crossings[kept] = crossings[i];
+            kept += 1;
+        }
+    }
+    crossings.truncate(kept);
+}

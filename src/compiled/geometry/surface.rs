@@ -1,0 +1,256 @@
+//! From a hit to everything about the place, for the winner alone.
+
+use super::Geometry;
+use super::graph::{Look, NodeKind, Operation, Primitive};
+use super::record::{Hit, InteriorKey, ObjectId, Path, Surface, TextureId, TextureRef};
+use super::shape::{Primitive as _, Shape};
+use crate::math::{DVec2, DVec3, Ray, Transform, transformed_point_error};
+use smallvec::SmallVec;
+use std::borrow::Cow;
+
+/// Looks gathered on the way from a primitive to the world, with where each part was found:
+/// the number of instances around the object that gave it.
+#[derive(Clone, Copy)]
+struct Inherited {
+    look: Look,
+    texture_depth: usize,
+    interior_texture_depth: usize,
+    interior_depth: usize,
+}
+
+impl Inherited {
+    /// Takes from what contains it what is missing (shape facts, section 12.2).
+    fn inherit(&mut self, outer: &Look, depth: usize) {
+        let look = &mut self.look;
+        // The odd rule of POV-Ray: one of the two missing is enough.
+        if outer.uv_mapping && (look.texture.is_none() || look.interior_texture.is_none()) {
+            look.uv_mapping = true;
+        }
+        if look.texture.is_none() && outer.texture.is_some() {
+            (look.texture, self.texture_depth) = (outer.texture, depth);
+        }
+        if look.interior_texture.is_none() && outer.interior_texture.is_some() {
+            (look.interior_texture, self.interior_texture_depth) = (outer.interior_texture, depth);
+        }
+        if look.interior.is_none() && outer.interior.is_some() {
+            (look.interior, self.interior_depth) = (outer.interior, depth);
+        }
+        look.double_illuminate = outer.double_illuminate.or(look.double_illuminate);
+        look.object = outer.object;
+        look.light_group = outer.light_group.or(look.light_group);
+    }
+}
+
+impl Inherited {
+    /// Identity of the interior that was found.
+    fn interior_key(&self, path: &Path) -> InteriorKey {
+        InteriorKey {
+            interior: self.look.interior.unwrap_or_default(),
+            instance: instance_number(&path.steps()[..self.interior_depth]),
+        }
+    }
+}
+
+impl Geometry {
+    /// The interior behind some looks, with the frame-level object.
+    pub(super) fn interior_of(&self, look: u32, path: &Path) -> Option<(ObjectId, InteriorKey)> {
+        let inherited = self.looks_of(look, path);
+        inherited.look.interior.map(|_| (inherited.look.object, inherited.interior_key(path)))
+    }
+
+    /// The full record of a hit that [`intersect`](Self::intersect) gave for the same ray.
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface<'_> {
+        let primitive = &self.primitives[hit.primitive as usize];
+        let world_from_group = self.world_from(&hit.path, hit.path.steps().len());
+        let group_ray = world_from_group.as_ref().map_or(*ray, |w| w.inverse_ray(ray));
+        let local_ray = primitive.group_from_local.as_ref().map_or(group_ray, |place| place.inverse_ray(&group_ray));
+        let local = primitive.shape.surface(&local_ray, hit.t, hit.part);
+
+        let sign = if primitive.inverse { -1.0 } else { 1.0 };
+        let (mut point, mut error) = (local.point, local.error);
+        let (mut geometric, mut shading) = (local.normal * sign, local.shading_normal.map(|n| n * sign));
+        let mut group_point = point;
+        for (i, place) in [primitive.group_from_local.as_deref(), world_from_group.as_ref()].into_iter().enumerate() {
+            if let Some(place) = place {
+                error = transformed_point_error(place, point, error);
+                point = place.point(point);
+                geometric = place.normal(geometric);
+                shading = shading.map(|n| place.normal(n));
+            }
+            if i == 0 {
+                group_point = point;
+            }
+        }
+        let geometric_normal = geometric.try_normalize().unwrap_or(-ray.direction);
+        let normal = shading.and_then(DVec3::try_normalize).unwrap_or(geometric_normal);
+        let from_inside = normal.dot(ray.direction) > 0.0;
+        let uv = uv_of(primitive, local.uv, group_point).unwrap_or(DVec2::new(point.x, point.y));
+
+        let inherited = self.looks_of(primitive.look, &hit.path);
+        let look = &inherited.look;
+        let interior = inherited.interior_key(&hit.path);
+        Surface {
+            point,
+            point_error: error + crate::math::gamma(2) * point.abs().max_element(),
+            geometric_normal,
+            normal,
+            uv,
+            from_inside,
+            textures: self.textures_of(primitive, &inherited, hit, from_inside, (local.point, group_point)),
+            uv_mapping: look.uv_mapping,
+            interior,
+            hollow: self.hollow.get(interior.interior.0 as usize).copied().unwrap_or(false),
+            double_illuminate: look.double_illuminate.unwrap_or(false),
+            object: look.object,
+            light_group: look.light_group,
+        }
+    }
+
+    /// Takes the space inside the first `depth` instances of a path to the world; `None` for none.
+    fn world_from(&self, path: &Path, depth: usize) -> Option<Transform> {
+        path.steps()[..depth]
+            .iter()
+            .rev()
+            .map(|i| self.instances[*i as usize].parent_from_group)
+            .reduce(|inner, outer| inner.then(&outer))
+    }
+
+    /// A primitive's looks with all that it inherits through the instances around it.
+    fn looks_of(&self, look: u32, path: &Path) -> Inherited {
+        let depth = path.steps().len();
+        let mut inherited = Inherited {
+            look: self.looks[look as usize],
+            texture_depth: depth,
+            interior_texture_depth: depth,
+            interior_depth: depth,
+        };
+        for (i, step) in path.steps().iter().enumerate().rev() {
+            let outer = &self.looks[self.instances[*step as usize].look as usize];
+            inherited.inherit(outer, i);
+        }
+        inherited
+    }
+
+    /// Which textures show at a hit; `points` are the local and the group's coordinates.
+    fn textures_of(
+        &self,
+        primitive: &Primitive,
+        inherited: &Inherited,
+        hit: &Hit,
+        from_inside: bool,
+        points: (DVec3, DVec3),
+    ) -> SmallVec<[TextureRef<'_>; 1]> {
+        let look = &inherited.look;
+        if from_inside && let Some(placement) = look.interior_texture {
+            return self
+                .placed((placement, 1.0), &hit.path, inherited.interior_texture_depth, look.uv_mapping)
+                .into_iter()
+                .collect();
+        }
+        let own = self.textures_of_part(&primitive.shape, hit.part, points.0);
+        if !own.is_empty() {
+            let place = self.place_of(primitive, look.uv_mapping, &hit.path);
+            return own
+                .into_iter()
+                .map(|(texture, weight)| TextureRef { texture, weight, texture_from_world: Cow::Owned(place) })
+                .collect();
+        }
+        let chosen = match look.cutaway {
+            Some(root) if self.looks[primitive.look as usize].texture.is_none() => self.cutaway(root, points.1),
+            _ => look.texture.into_iter().map(|p| (p, 1.0)).collect(),
+        };
+        chosen.into_iter().filter_map(|p| self.placed(p, &hit.path, inherited.texture_depth, look.uv_mapping)).collect()
+    }
+
+    /// Textures that belong to parts of a shape, with weights.
+    fn textures_of_part(&self, shape: &Shape, part: u32, point_local: DVec3) -> SmallVec<[(TextureId, f32); 3]> {
+        match shape {
+            Shape::Mesh(mesh) => mesh.tree.textures(part, point_local),
+            _ => SmallVec::new(),
+        }
+    }
+
+    /// Textures of parts move with their object, except under uv mapping.
+    fn place_of(&self, primitive: &Primitive, uv_mapping: bool, path: &Path) -> Transform {
+        if uv_mapping {
+            return Transform::IDENTITY;
+        }
+        let local = primitive.group_from_local.as_deref().copied().unwrap_or_default();
+        let world = self.world_from(path, path.steps().len()).unwrap_or_default();
+        local.then(&world).inverse()
+    }
+
+    /// A placement seen from the world.
+    fn placed(
+        &self,
+        (placement, weight): (u32, f32),
+        path: &Path,
+        depth: usize,
+        uv_mapping: bool,
+    ) -> Option<TextureRef<'_>> {
+        let placement = self.placements.get(placement as usize)?;
+        // Under uv mapping textures do not move with their object.
+        let depth = if uv_mapping { 0 } else { depth };
+        let texture_from_world = match self.world_from(path, depth) {
+            None => Cow::Borrowed(&placement.texture_from_group),
+            Some(world_from_group) => Cow::Owned(world_from_group.inverse().then(&placement.texture_from_group)),
+        };
+        Some(TextureRef { texture: placement.texture, weight, texture_from_world })
+    }
+
+    /// Textures of the parts of a solid that contain a point of a cut, evenly weighted at each
+    /// level (shape facts, section 10.5).
+    fn cutaway(&self, node: u32, point: DVec3) -> SmallVec<[(u32, f32); 2]> {
+        let mut found = SmallVec::<[(u32, f32); 2]>::new();
+        match &self.nodes[node as usize].kind {
+            NodeKind::Primitive(p) => {
+                let texture = self.looks[self.primitives[*p as usize].look as usize].texture;
+                found.extend(texture.map(|t| (t, 1.0)));
+            }
+            NodeKind::Csg { operation, children, is_difference } => {
+                let consulted =
+                    if *is_difference && *operation == Operation::Intersection { 1 } else { children.len() };
+                for child in &children[..consulted.min(children.len())] {
+                    if self.contains_unclipped(*child, point) {
+                        found.extend(self.cutaway(*child, point));
+                    }
+                }
+                if !*is_difference {
+                    let share = 1.0 / found.len() as f32;
+                    found.iter_mut().for_each(|(_, weight)| *weight = share);
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether a point is inside a node, whatever clips it.
+    fn contains_unclipped(&self, index: u32, point: DVec3) -> bool {
+        match &self.nodes[index as usize].kind {
+            NodeKind::Primitive(p) => self.primitive_contains(*p, point),
+            NodeKind::Csg { operation: Operation::Intersection, children, .. } => {
+                children.iter().all(|n| self.node_contains(*n, point))
+            }
+            NodeKind::Csg { children, .. } => children.iter().any(|n| self.node_contains(*n, point)),
+        }
+    }
+}
+
+/// Own coordinates of a shape, in the space in which they are defined.
+fn uv_of(primitive: &Primitive, own: Option<DVec2>, group_point: DVec3) -> Option<DVec2> {
+    match (&primitive.uv_from_group, &primitive.shape) {
+        (Some(uv_from_group), Shape::Sphere(_)) => {
+            Some(super::shape::spherical_uv(uv_from_group.point(group_point).normalize_or(DVec3::X)))
+        }
+        _ => own,
+    }
+}
+
+/// A number for a chain of instances: 0 for none, different for different chains (up to the
+/// chance of a 32-bit hash). Source: FNV-1a.
+fn instance_number(steps: &[u32]) -> u32 {
+    if steps.is_empty() {
+        return 0;
+    }
+    steps.iter().fold(0x811c_9dc5_u32, |hash, step| (hash ^ step).wrapping_mul(0x0100_0193))
+}

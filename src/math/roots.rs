@@ -1,0 +1,315 @@
+//! Real roots of polynomials in one variable: the one place for them.
+//!
+//! Quadratics are solved in closed form without cancellation. Everything higher is written in
+//! the Bernstein basis of the interval that matters; Descartes' rule isolates roots by
+//! subdivision, and a bracketed Newton iteration polishes each. That finds every root in the
+//! interval whatever the degree, with errors proportional to the coefficients' own.
+//!
+//! ```
+//! use whitted::math::{quadratic_roots, roots_in};
+//! assert_eq!(quadratic_roots(1.0, -3.0, 2.0), Some([1.0, 2.0]));
+//! let roots = roots_in(&[-6.0, 11.0, -6.0, 1.0], 0.0, 2.5); // (t - 1)(t - 2)(t - 3)
+//! assert!(roots.len() == 2 && (roots[0] - 1.0).abs() < 1e-14 && (roots[1] - 2.0).abs() < 1e-14);
+//! ```
+
+use super::gamma;
+use smallvec::SmallVec;
+
+/// Highest degree: POV-Ray's `poly` ends at 35.
+pub const MAX_DEGREE: usize = 35;
+
+/// Roots in rising order; a double root counts twice.
+pub type Roots = SmallVec<[f64; 8]>;
+
+/// x * y and its rounding error, exactly. Source: Dekker 1971, with Veltkamp's splitting.
+fn two_product(x: f64, y: f64) -> (f64, f64) {
+    const SPLIT: f64 = 134_217_729.0; // 2^27 + 1
+    let halves = |v: f64| {
+        let c = SPLIT * v;
+        let high = c - (c - v);
+        (high, v - high)
+    };
+    let product = x * y;
+    let ((xh, xl), (yh, yl)) = (halves(x), halves(y));
+    (product, ((xh * yh - product) + xh * yl + xl * yh) + xl * yl)
+}
+
+/// b² - ac, to nearly full precision also where the two nearly cancel.
+///
+/// Source: Kahan, On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic, 2004.
+pub fn discriminant(a: f64, b: f64, c: f64) -> f64 {
+    let (p, q) = (b * b, a * c);
+    let d = p - q;
+    // Without cancellation the plain difference is as good.
+    if 3.0 * d.abs() >= p + q.abs() {
+        return d;
+    }
+    let (p, dp) = two_product(b, b);
+    let (q, dq) = two_product(a, c);
+    let exact = (p - q) + (dp - dq);
+    if exact.is_finite() { exact } else { d }
+}
+
+/// Both roots of a t² + b t + c in rising order; a lone root of the linear case comes twice.
+///
+/// `None` without real roots, or when `a` and `b` vanish.
+/// Source: Press et al., Numerical Recipes, section 5.6.
+pub fn quadratic_roots(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
+    let half = 0.5 * b;
+    let d = discriminant(a, half, c);
+    if d < 0.0 || d.is_nan() {
+        return None;
+    }
+    let q = -(half + d.sqrt().copysign(half));
+    let (t0, t1) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
+    match (a != 0.0 && t0.is_finite(), t1.is_finite()) {
+        (true, true) => Some(if t0 <= t1 { [t0, t1] } else { [t1, t0] }),
+        // The far root left for infinity: what remains is the linear case.
+        (false, true) if q != 0.0 => Some([t1, t1]),
+        _ => None,
+    }
+}
+
+/// Value and slope at `t`; coefficients rise with the power.
+fn horner(coefficients: &[f64], t: f64) -> (f64, f64) {
+    coefficients.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * t + c, slope * t + value))
+}
+
+/// Bernstein coefficients of a polynomial over one interval, in units of the original parameter.
+#[derive(Clone, Copy)]
+struct Piece {
+    b: [f64; MAX_DEGREE + 1],
+    low: f64,
+    high: f64,
+}
+
+impl Piece {
+    /// How often the coefficients change sign: as many roots inside, or fewer by an even number.
+    fn sign_changes(&self, n: usize) -> u32 {
+        let mut changes = 0;
+        let mut last = 0.0;
+        for &b in &self.b[..=n] {
+            if b != 0.0 {
+                changes += u32::from(last != 0.0 && (b < 0.0) != (last < 0.0));
+                last = b;
+            }
+        }
+        changes
+    }
+
+    /// Halves the interval. Source: de Casteljau's algorithm.
+    fn split(&self, n: usize) -> (Self, Self) {
+        let middle = 0.5 * self.low + 0.5 * self.high;
+        let mut left = Self { high: middle, ..*self };
+        let mut right = Self { low: middle, ..*self };
+        for i in 0..=n {
+            left.b[i] = right.b[0];
+            for j in 0..n - i {
+                right.b[j] = 0.5 * (right.b[j] + right.b[j + 1]);
+            }
+        }
+        (left, right)
+    }
+}
+
+/// All roots of a polynomial (coefficients rising with the power) in `low ..= high`.
+///
+/// Works on finite intervals; an empty or infinite one gives nothing. Roots of even multiplicity
+/// that cannot be told from a near miss within rounding are reported, twice.
+pub fn roots_in(coefficients: &[f64], low: f64, high: f64) -> Roots {
+    let mut roots = Roots::new();
+    let n = match coefficients.iter().rposition(|c| *c != 0.0) {
+        Some(n) if n <= MAX_DEGREE && low <= high && (high - low).is_finite() => n,
+        _ => return roots,
+    };
+    match n {
+        0 => {}
+        1 => roots.push(-coefficients[0] / coefficients[1]),
+        2 => roots.extend(quadratic_roots(coefficients[2], coefficients[1], coefficients[0]).into_iter().flatten()),
+        _ => isolate(&coefficients[..=n], low, high, &mut roots),
+    }
+    roots.retain(|t| low <= *t && *t <= high);
+    roots
+}
+
+/// Subdivides until each piece holds no root or one.
+fn isolate(coefficients: &[f64], low: f64, high: f64, roots: &mut Roots) {
+    let n = coefficients.len() - 1;
+    let whole = Piece { b: bernstein(coefficients, low, high), low, high };
+    let scale = whole.b[..=n].iter().fold(0.0, |m: f64, b| m.max(b.abs()));
+    if !scale.is_finite() {
+        return;
+    }
+    // Conversion and halving are convex combinations: n roundings each, of numbers up to `scale`.
+    let noise = gamma(4 * n as u32 + 4) * scale;
+    // 53 halvings reach neighbouring numbers; each level leaves one piece waiting.
+    let mut waiting: SmallVec<[Piece; 2]> = SmallVec::new();
+    waiting.push(whole);
+    let mut contact_end = f64::NEG_INFINITY;
+    while let Some(piece) = waiting.pop() {
+        let changes = piece.sign_changes(n);
+        if changes == 1 {
+            roots.push(polish(coefficients, piece.low, piece.high));
+            continue;
+        }
+        let middle = 0.5 * piece.low + 0.5 * piece.high;
+        let atom = middle <= piece.low || middle >= piece.high;
+        if atom || piece.b[..=n].iter().all(|b| b.abs() <= noise) {
+            // Nothing here can be told from zero: a crossing, or a contact, which counts twice.
+            // The piece on its right may look the same, but is not another.
+            if piece.low > contact_end && (changes > 0 || !atom) {
+                roots.push(middle);
+                roots.extend((changes % 2 == 0).then_some(middle));
+            }
+            contact_end = piece.high;
+            continue;
+        }
+        if changes == 0 && !might_touch(&piece.b[..=n], noise) {
+            continue;
+        }
+        let (left, right) = piece.split(n);
+        let parted = left.sign_changes(n) == 0 && right.sign_changes(n) == 0;
+        if right.b[0] == 0.0 || parted && right.b[0].abs() <= noise {
+            // Neither half counts a root on their common end.
+            roots.push(middle);
+            roots.extend((left.b[n - 1] * right.b[1] > 0.0).then_some(middle));
+            if parted {
+                continue;
+            }
+        }
+        waiting.push(right);
+        waiting.push(left);
+    }
+    roots.sort_unstable_by(f64::total_cmp);
+}
+
+/// Whether a piece without sign change dips to zero within the noise between its ends.
+fn might_touch(b: &[f64], noise: f64) -> bool {
+    let n = b.len() - 1;
+    b[1..n].iter().any(|c| c.abs() <= noise) && b[0].abs() > noise && b[n].abs() > noise
+}
+
+/// Bernstein coefficients over [low, high] from powers.
+fn bernstein(coefficients: &[f64], low: f64, high: f64) -> [f64; MAX_DEGREE + 1] {
+    let n = coefficients.len() - 1;
+    let mut b = [0.0; MAX_DEGREE + 1];
+    b[..=n].copy_from_slice(coefficients);
+    // Taylor shift to `low`, then scale to the unit interval.
+    for i in 0..n {
+        for j in (i..n).rev() {
+            b[j] += low * b[j + 1];
+        }
+    }
+    let width = high - low;
+    let mut power = 1.0;
+    for c in &mut b[..=n] {
+        *c *= power;
+        power *= width;
+    }
+    // Powers to Bernstein: divide by the binomials, then sum differences.
+    let mut binomial = 1.0;
+    for (i, c) in b[..=n].iter_mut().enumerate() {
+        *c /= binomial;
+        binomial *= (n - i) as f64 / (i + 1) as f64;
+    }
+    for i in 1..=n {
+        for j in (i..=n).rev() {
+            b[j] += b[j - 1];
+        }
+    }
+    b
+}
+
+/// The one root between `low` and `high`: Newton's method, kept inside a shrinking bracket.
+///
+/// Source: Press et al., Numerical Recipes, section 9.4 (`rtsafe`).
+fn polish(coefficients: &[f64], mut low: f64, mut high: f64) -> f64 {
+    let rising = horner(coefficients, high).0 > horner(coefficients, low).0;
+    let mut t = 0.5 * low + 0.5 * high;
+    // Bisection alone ends after about 60 rounds for neighbouring exponents; Newton needs few.
+    for _ in 0..100 {
+        let (value, slope) = horner(coefficients, t);
+        if value == 0.0 {
+            break;
+        }
+        if (value > 0.0) == rising {
+            high = t;
+        } else {
+            low = t;
+        }
+        let newton = t - value / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * low + 0.5 * high };
+        // Steps below one unit in the last place change nothing.
+        if (next - t).abs() <= f64::EPSILON * 0.5 * t.abs() || next == t {
+            return next;
+        }
+        t = next;
+    }
+    t
+}
+
+/// A bound of the absolute value of every root, infinite for constants.
+///
+/// Source: Fujiwara 1916: 2 max |a(n-k) / a(n)|^(1/k).
+pub fn root_bound(coefficients: &[f64]) -> f64 {
+    let Some(n) = coefficients.iter().rposition(|c| *c != 0.0) else { return f64::INFINITY };
+    let leading = coefficients[n];
+    let term = |k: usize| {
+        let ratio = (coefficients[n - k] / leading).abs();
+        if ratio == 0.0 { 0.0 } else { (ratio.ln() / k as f64).exp() }
+    };
+    // Rounded up: logarithm and exponential are good to a few units in the last place.
+    2.0 * (1..=n).map(term).fold(0.0, f64::max) * (1.0 + gamma(64))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Multiplies out the roots, looks for them between `low` and `high`, compares.
+    fn check(expected: &[f64], low: f64, high: f64, tolerance: f64) {
+        let mut coefficients = vec![1.0];
+        for r in expected {
+            let mut next = vec![0.0; coefficients.len() + 1];
+            for (i, c) in coefficients.iter().enumerate() {
+                next[i + 1] += c;
+                next[i] -= r * c;
+            }
+            coefficients = next;
+        }
+        let found = roots_in(&coefficients, low, high);
+        let inside: Vec<f64> = expected.iter().copied().filter(|r| (low..=high).contains(r)).collect();
+        assert_eq!(found.len(), inside.len(), "{found:?} for {inside:?}");
+        for (f, e) in found.iter().zip(&inside) {
+            assert!((f - e).abs() <= tolerance * e.abs().max(1e-300), "{f} for {e}");
+        }
+    }
+
+    #[test]
+    fn roots_of_every_degree() {
+        check(&[1.0, 2.0, 3.0], 0.0, 10.0, 1e-13);
+        check(&[-4.0, 0.5, 2.0, 7.0], 0.0, 10.0, 1e-13);
+        check(&[1e-6, 2e-6, 3e-6, 5e-6], 0.0, 1e-5, 1e-12);
+        check(&[1e6, 2e6, 3e6, 5e6], 0.0, 1e7, 1e-12);
+        check(&[0.1, 0.2, 0.4, 0.5, 0.7, 0.9], 0.0, 1.0, 1e-9);
+        check(&[1.0, 1.0 + 1e-5, 3.0], 0.0, 10.0, 1e-8);
+        check(&[], 0.0, 1.0, 0.0);
+    }
+
+    #[test]
+    fn a_contact_counts_twice() {
+        let found = roots_in(&[1.0, 0.0, -2.0, 0.0, 1.0], -5.0, 0.3); // (t² - 1)²
+        assert_eq!(found.len(), 2);
+        // A double root is only known to the square root of the rounding error.
+        assert!(found.iter().all(|t| (t + 1.0).abs() < 1e-6), "{found:?}");
+    }
+
+    #[test]
+    fn quadratics_do_not_cancel() {
+        let [near, far] = quadratic_roots(1.0, -1e9, 1.0).unwrap();
+        assert!((near - 1e-9).abs() < 1e-24 && (far - 1e9).abs() < 1e-6);
+        assert_eq!(quadratic_roots(0.0, 2.0, -4.0), Some([2.0, 2.0]));
+        assert_eq!(quadratic_roots(1.0, 0.0, 1.0), None);
+        assert_eq!(quadratic_roots(0.0, 0.0, 1.0), None);
+    }
+}

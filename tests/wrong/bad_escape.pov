@@ -1,0 +1,2 @@
+// A backslash before a letter that means nothing.
+#debug "C:\pictures\n"

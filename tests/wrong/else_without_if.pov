@@ -1,0 +1,4 @@
+// An #else without an #if.
+#else
+  sphere { 0, 1 }
+#end

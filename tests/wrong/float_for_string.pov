@@ -1,0 +1,2 @@
+// A number where a string is needed.
+#debug 5

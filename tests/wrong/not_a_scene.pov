@@ -1,0 +1,1 @@
+GIF89a is not a scene, and neither is this sentence.

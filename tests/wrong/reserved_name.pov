@@ -1,0 +1,2 @@
+// A keyword used as a name.
+#declare color = rgb 1;

@@ -1,0 +1,2 @@
+// The square root of a negative number.
+#declare Root = sqrt(-4);

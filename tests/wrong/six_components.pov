@@ -1,0 +1,2 @@
+// A vector of six components.
+#declare V = <1, 2, 3, 4, 5, 6>;

@@ -1,0 +1,2 @@
+// A spline without a single point.
+#declare S = spline { linear_spline }

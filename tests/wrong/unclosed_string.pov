@@ -1,0 +1,3 @@
+// A string without its closing quote.
+#debug "hello
+sphere { 0, 1 }

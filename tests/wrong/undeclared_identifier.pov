@@ -1,0 +1,2 @@
+// A name that was never declared.
+sphere { <0, 0, 0>, Radius pigment { rgb 1 } }
