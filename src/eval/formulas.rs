@@ -94,7 +94,8 @@ impl Evaluator<'_> {
     /// new in a macro; false, and nothing taken, for anything else.
     pub(super) fn declaration_formula(&mut self, local: bool) -> SourceResult<bool> {
         let Some(cursor) = self.cursors.last() else { return Ok(false) };
-        let (Some(TokenKind::Name(name)), Some(TokenKind::Punct('='))) = (cursor.upcoming(0), cursor.upcoming(1)) else {
+        let (Some(TokenKind::Name(name)), Some(TokenKind::Punct('='))) = (cursor.upcoming(0), cursor.upcoming(1))
+        else {
             return Ok(false);
         };
         if self.ahead.is_some() || self.version < 350 {
