@@ -1,7 +1,7 @@
 //! `#declare`, `#local`, `#undef`, and the values that names and arguments take.
 
 use super::scope::{Scopes, TableId};
-use super::{Evaluator, Number, Place, Value, blocks, colors};
+use super::{Evaluator, Number, Place, Value, colors};
 use crate::diag::{SourceResult, Span};
 use crate::syntax::{Keyword, Symbol, TokenKind};
 use std::rc::Rc;
@@ -209,7 +209,7 @@ impl Evaluator<'_> {
             }
             TokenKind::Keyword(word) => {
                 self.bare = false;
-                match blocks::declared_block(self, word)? {
+                match self.declared_block(word)? {
                     Some(value) => value,
                     None => return self.expected("a value"),
                 }

@@ -1,6 +1,6 @@
 //! Which directive does what, and the blocks that `#end` closes.
 
-use super::{Evaluator, Place, blocks};
+use super::{Evaluator, Place};
 use crate::diag::{SourceResult, Span};
 use crate::syntax::{Directive, Keyword, Position, TokenKind};
 
@@ -142,7 +142,7 @@ impl Evaluator<'_> {
     /// `#default { … }`.
     fn set_default(&mut self) -> SourceResult<()> {
         self.open("#default")?;
-        blocks::default_block(self)?;
+        self.default_block()?;
         self.close("#default")
     }
 

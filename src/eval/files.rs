@@ -5,7 +5,8 @@ use super::scope::Scopes;
 use super::{Evaluator, Number, Place, Value};
 use crate::diag::{SourceResult, Span};
 use crate::syntax::{Keyword, Position, Symbol, Token, TokenKind};
-use std::path::PathBuf;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 
 /// A file that a scene opened.
 #[derive(Debug)]
@@ -33,13 +34,7 @@ impl Evaluator<'_> {
         }
         let name = self.file_name()?;
         let file = if self.accept_word(Keyword::Read)? {
-            let Some(path) = self.find_file(&name, &[]) else {
-                return self.error(span, format!("cannot find the file '{name}'"));
-            };
-            let text = match self.host.read(&path) {
-                Ok(text) => text,
-                Err(error) => return self.error(span, format!("cannot read {}: {error}", path.display())),
-            };
+            let (path, text) = self.text_to_read(&name, span)?;
             let source = self.take_in(&path, text)?;
             OpenFile::Reading(Box::new(Cursor::new(source, (Position::default(), None), Role::Data)))
         } else {
@@ -49,12 +44,12 @@ impl Evaluator<'_> {
             }
             let path = PathBuf::from(&*name);
             let opened = if append { self.host.append(&path, &[]) } else { self.host.create(&path) };
-            if let Err(error) = opened {
-                return self.error_with_hint(
-                    span,
-                    format!("cannot write {}: {error}", path.display()),
-                    "a folder that scenes may write to can be given with --allow-write DIR",
-                );
+            match opened {
+                Ok(()) => {}
+                Err(error) if error.kind() == ErrorKind::PermissionDenied => {
+                    self.keep_in_memory(&path, append, span);
+                }
+                Err(error) => return self.error(span, format!("cannot write {}: {error}", path.display())),
             }
             OpenFile::Writing(path)
         };
@@ -65,6 +60,30 @@ impl Evaluator<'_> {
         self.files[number] = Some(file);
         self.scopes.bind(Scopes::GLOBAL, handle, Place::new(Value::File(number)));
         Ok(())
+    }
+
+    /// What `#fopen … read` finds under a name: a file, or what the scene itself wrote before.
+    fn text_to_read(&mut self, name: &str, span: Span) -> SourceResult<(PathBuf, Vec<u8>)> {
+        if let Some(text) = self.unsaved.get(Path::new(name)) {
+            return Ok((name.into(), text.clone()));
+        }
+        let Some(path) = self.find_file(name, &[]) else {
+            return self.error(span, format!("cannot find the file '{name}'"));
+        };
+        match self.host.read(&path) {
+            Ok(text) => Ok((path, text)),
+            Err(error) => self.error(span, format!("cannot read {}: {error}", path.display())),
+        }
+    }
+
+    /// Where a scene may not write, what it writes stays in memory, for it to read again.
+    fn keep_in_memory(&mut self, path: &Path, append: bool, span: Span) {
+        let name = path.display();
+        self.warn(span, format!("{name} is kept in memory only: scenes may write to a folder after --allow-write DIR"));
+        let text = self.unsaved.entry(path.to_owned()).or_default();
+        if !append {
+            text.clear();
+        }
     }
 
     fn accept_word(&mut self, word: Keyword) -> SourceResult<bool> {
@@ -126,6 +145,14 @@ impl Evaluator<'_> {
             }
             Ok((path, bytes))
         })?;
+        if let Some(text) = self.unsaved.get_mut(&bytes.0) {
+            text.extend(bytes.1);
+            if text.len() > self.options.limits.string_bytes {
+                let limit = self.options.limits.string_bytes;
+                return self.limit(span, format!("more than {limit} bytes written"), "string_bytes");
+            }
+            return Ok(());
+        }
         match self.host.append(&bytes.0, &bytes.1) {
             Ok(()) => Ok(()),
             Err(error) => self.error(span, format!("cannot write {}: {error}", bytes.0.display())),

@@ -61,7 +61,7 @@ use cursor::{Cursor, Role};
 use directives::Block;
 use files::OpenFile;
 use scope::{Place, Scopes};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -120,6 +120,8 @@ pub struct Evaluator<'h> {
     case_wanted: bool,
     random: random::Streams,
     files: Vec<Option<OpenFile>>,
+    /// What was written to files that may not be written.
+    unsaved: rustc_hash::FxHashMap<PathBuf, Vec<u8>>,
     warnings: Vec<Diagnostic>,
     warned: rustc_hash::FxHashSet<(&'static str, u64)>,
     /// `utf8` strings, from a byte order mark or `charset`.
@@ -179,6 +181,7 @@ impl<'h> Evaluator<'h> {
             case_wanted: false,
             random: random::Streams::default(),
             files: Vec::new(),
+            unsaved: rustc_hash::FxHashMap::default(),
             warnings: Vec::new(),
             warned: rustc_hash::FxHashSet::default(),
             utf8: false,
@@ -211,7 +214,7 @@ impl<'h> Evaluator<'h> {
             if token.kind == TokenKind::End {
                 break;
             }
-            if !self.hashless_directive()? && !blocks::scene_item(self)? {
+            if !self.hashless_directive()? && !self.scene_item()? {
                 return self.expected("an object, a block or a directive");
             }
             if self.scene.objects.len() > self.options.limits.objects {

@@ -45,6 +45,8 @@ impl Evaluator<'_> {
                     }
                     self.ready = true;
                 }
+                // Without a directive behind it the mark disappears, as in POV-Ray.
+                TokenKind::Punct('#') => continue,
                 _ => self.ready = true,
             }
             if self.case_wanted && !hold {

@@ -62,7 +62,7 @@ pub enum Value {
     Spline(Arc<Spline>),
     Transform(Rc<Transform>),
     Object(Arc<scene::Object>),
-    Camera(Arc<blocks::CameraValue>),
+    Camera(Arc<blocks::CameraStatement>),
     Texture(Arc<scene::Texture>),
     Pigment(Arc<scene::Pigment>),
     Normal(Arc<scene::Normal>),

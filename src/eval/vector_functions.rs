@@ -2,6 +2,7 @@
 
 use super::{Evaluator, Number};
 use crate::diag::SourceResult;
+use crate::math::noise::{Octaves, vector_turbulence};
 use crate::math::{DVec3, Transform};
 use crate::syntax::Keyword;
 
@@ -78,16 +79,15 @@ impl Evaluator<'_> {
 
     /// `vturbulence(lambda, omega, octaves, point)`.
     fn turbulence(&mut self) -> SourceResult<DVec3> {
-        let span = self.last_span;
-        self.arguments(|e| {
-            e.float()?;
+        let (octaves, point) = self.arguments(|e| {
+            let lambda = e.float()? as f32;
             e.comma()?;
-            e.float()?;
+            let omega = e.float()? as f32;
             e.comma()?;
-            e.float()?;
+            let count = e.float()?.clamp(1.0, 10.0) as u32;
             e.comma()?;
-            e.vector()
+            Ok((Octaves { count, lambda, omega }, e.vector()?))
         })?;
-        self.error(span, "vturbulence is not supported yet")
+        Ok(vector_turbulence(octaves, point))
     }
 }

@@ -30,7 +30,11 @@ impl Evaluator<'_> {
         let mut list = Vec::with_capacity(n.min(RESERVED));
         while list.len() < n {
             if self.fill(false)? == TokenKind::Vector {
+                let before = list.len();
                 self.literals(n, &mut list, &from_literal);
+                if list.len() > before {
+                    self.comma()?;
+                }
             }
             if list.len() < n {
                 list.push(general(self)?);

@@ -74,3 +74,13 @@ impl Function {
         self.call(&[p.x, p.y, p.z])[0]
     }
 }
+
+impl Callable for Spline {
+    fn width(&self) -> usize {
+        Self::width(self)
+    }
+
+    fn call(&self, args: &[f64]) -> [f64; 5] {
+        self.at(args.first().copied().unwrap_or(0.0))
+    }
+}

@@ -330,6 +330,11 @@ impl ProgramBuilder {
         slot
     }
 
+    /// Whether the operation is the number 0.
+    pub fn is_zero(&self, slot: Slot) -> bool {
+        self.constant_at(slot) == Some(0.0)
+    }
+
     fn constant_at(&self, slot: Slot) -> Option<f64> {
         match self.ops[slot as usize] {
             Op::Constant(c) => Some(c),

@@ -189,8 +189,6 @@ pub enum PatternKind {
     Spiral1(i32),
     Spiral2(i32),
     Square,
-    /// `tiles { texture … tile2 … }`: checker with its items exchanged.
-    Tiles,
     Tiling(u32),
     Triangular,
     Waves,
@@ -235,7 +233,6 @@ impl PatternKind {
         matches!(
             self,
             Self::Checker
-                | Self::Tiles
                 | Self::Object(_)
                 | Self::Brick { .. }
                 | Self::Hexagon
@@ -251,7 +248,7 @@ impl PatternKind {
     /// How many items a block pattern chooses from; `None` for continuous patterns.
     pub fn n_blocks(&self) -> Option<usize> {
         match self {
-            Self::Checker | Self::Tiles | Self::Object(_) | Self::Brick { .. } => Some(2),
+            Self::Checker | Self::Object(_) | Self::Brick { .. } => Some(2),
             Self::Hexagon => Some(3),
             Self::Square => Some(4),
             Self::Triangular | Self::Cubic => Some(6),

@@ -1,6 +1,6 @@
 //! Textures: pigments, normals and finishes, alone, layered or blended by a pattern.
 
-use super::{Image, MapType, Pattern};
+use super::{Image, MapType, Pattern, PatternKind};
 use crate::math::{Color, Rgb, Transform};
 use std::sync::Arc;
 
@@ -246,6 +246,19 @@ impl Default for Finish {
     }
 }
 
+impl Default for Normal {
+    /// No perturbation, with POV-Ray's amount 0.5 and accuracy 0.02 for what is still to come.
+    fn default() -> Self {
+        Self {
+            kind: NormalKind::Pattern(Pattern::new(PatternKind::None), None),
+            amount: 0.5,
+            accuracy: 0.02,
+            no_bump_scale: false,
+            uv_mapping: false,
+        }
+    }
+}
+
 impl Default for Texture {
     fn default() -> Self {
         Self::Layers(vec![TextureLayer::default()])
@@ -258,8 +271,11 @@ impl Pigment {
         Self { kind: PigmentKind::Solid(color), ..Self::default() }
     }
 
-    /// Applies a transformation written after everything so far.
+    /// Applies a transformation written after the whole pigment; what is looked up at (u, v, 0) stays.
     pub fn apply(&mut self, transform: &Transform) {
+        if self.uv_mapping {
+            return;
+        }
         match &mut self.kind {
             PigmentKind::Solid(_) => {}
             PigmentKind::Colors(p, _) | PigmentKind::Pigments(p, _) | PigmentKind::Image(p, _) => p.apply(transform),
@@ -268,8 +284,11 @@ impl Pigment {
 }
 
 impl Normal {
-    /// Applies a transformation written after everything so far.
+    /// Applies a transformation written after the whole normal; what is looked up at (u, v, 0) stays.
     pub fn apply(&mut self, transform: &Transform) {
+        if self.uv_mapping {
+            return;
+        }
         match &mut self.kind {
             NormalKind::Pattern(p, _) | NormalKind::Normals(p, _) | NormalKind::BumpMap(p, _) => p.apply(transform),
             NormalKind::Facets { pattern, .. } => pattern.apply(transform),
@@ -278,9 +297,10 @@ impl Normal {
 }
 
 impl Texture {
-    /// Applies a transformation written after everything so far.
+    /// Applies a transformation written after the whole texture; what is looked up at (u, v, 0) stays.
     pub fn apply(&mut self, transform: &Transform) {
         match self {
+            Self::Patterned(p) if p.uv_mapping => {}
             Self::Patterned(p) => p.pattern.apply(transform),
             Self::Layers(layers) => {
                 for layer in layers {

@@ -18,7 +18,7 @@ const MAGENTA: [f32; 3] = [1.0, 0.0, 1.0];
 /// The map or list of a pattern.
 pub(super) fn default_map(kind: &K) -> Blend<Color> {
     match kind {
-        K::Checker | K::Tiles | K::Object(_) => list(&[BLUE, GREEN]),
+        K::Checker | K::Object(_) => list(&[BLUE, GREEN]),
         K::Hexagon => list(&[BLUE, GREEN, RED]),
         K::Square => list(&[RED, GREEN, BLUE, YELLOW]),
         K::Triangular | K::Cubic => list(&[RED, GREEN, BLUE, YELLOW, CYAN, MAGENTA]),

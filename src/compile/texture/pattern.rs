@@ -53,7 +53,6 @@ impl TextureCompiler<'_> {
             S::Radial => PatternKind::Radial,
             S::Spherical => PatternKind::Spherical,
             S::Square => PatternKind::Square,
-            S::Tiles => PatternKind::Tiles,
             S::Triangular => PatternKind::Triangular,
             other => return Err(format!("the pattern `{}` is not supported yet", name(other))),
         })

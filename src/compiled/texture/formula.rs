@@ -30,7 +30,6 @@ pub(super) fn value(kind: &PatternKind, p: DVec3, context: &Context) -> f64 {
         PatternKind::Radial => radial(p),
         PatternKind::Spherical => falling(p.length()),
         PatternKind::Square => square(p),
-        PatternKind::Tiles => 1.0 - checker(p),
         PatternKind::Triangular => triangular(p.x, p.z),
     }
 }

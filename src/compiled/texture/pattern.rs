@@ -63,8 +63,6 @@ pub enum PatternKind {
     Radial,
     Spherical,
     Square,
-    /// Checker with its items exchanged.
-    Tiles,
     Triangular,
 }
 

@@ -1,0 +1,379 @@
+//! `camera { … }`: statements, and the frame that they add up to.
+
+use crate::diag::{SourceResult, Span};
+use crate::eval::{Evaluator, Value};
+use crate::math::{DVec3, Transform};
+use crate::scene::{Camera, CameraKind, FocalBlur, MeshCamera, Normal, Pigment};
+use crate::syntax::Keyword as K;
+use std::sync::Arc;
+
+/// From this version on, the order of statements in a camera does not matter.
+const VERSION_OF_UNORDERED_CAMERAS: u32 = 350;
+
+/// What a camera block says, before [`finish`](Self::finish) works it into a frame.
+#[derive(Clone, Debug)]
+pub struct CameraStatement {
+    kind: CameraKind,
+    location: DVec3,
+    direction: DVec3,
+    up: DVec3,
+    right: DVec3,
+    sky: DVec3,
+    look_at: Option<DVec3>,
+    angle_deg: Option<f64>,
+    vertical_angle_deg: Option<f64>,
+    /// `up` or `right` was written: orthographic cameras then keep their size.
+    has_frame: bool,
+    aperture: f64,
+    blur_samples: [u32; 2],
+    confidence: f64,
+    variance: f64,
+    focal_point: Option<DVec3>,
+    bokeh: Option<Arc<Pigment>>,
+    normal: Option<Arc<Normal>>,
+    transform: Transform,
+}
+
+impl Default for CameraStatement {
+    fn default() -> Self {
+        Self {
+            kind: CameraKind::Perspective,
+            location: DVec3::ZERO,
+            direction: DVec3::Z,
+            up: DVec3::Y,
+            right: DVec3::new(1.33, 0.0, 0.0),
+            sky: DVec3::Y,
+            look_at: None,
+            angle_deg: None,
+            vertical_angle_deg: None,
+            has_frame: false,
+            aperture: 0.0,
+            blur_samples: [0, 0],
+            confidence: 0.9,
+            variance: 1e-4,
+            focal_point: None,
+            bokeh: None,
+            normal: None,
+            transform: Transform::IDENTITY,
+        }
+    }
+}
+
+impl CameraStatement {
+    /// Turns the frame to face the target; lengths and handedness stay.
+    fn face(&mut self, target: DVec3) {
+        let forward = (target - self.location).normalize_or(DVec3::Z);
+        let handedness = if self.up.cross(self.direction).dot(self.right) > 0.0 { 1.0 } else { -1.0 };
+        let side = match self.sky.cross(forward).try_normalize() {
+            Some(side) => side,
+            None => self.right.normalize_or(DVec3::X), // looking along the sky: keep the written right
+        };
+        self.direction = self.direction.length() * forward;
+        self.up = self.up.length() * forward.cross(side);
+        self.right = handedness * self.right.length() * side;
+    }
+
+    /// Makes the horizontal field of view `angle_deg` wide by the length of `direction`.
+    fn set_angle(&mut self, angle_deg: f64) {
+        let half = (angle_deg / 2.0).to_radians();
+        self.direction = self.direction.normalize_or(DVec3::Z) * (self.right.length() / (2.0 * half.tan()));
+    }
+
+    fn uses_flat_angle(&self) -> bool {
+        matches!(self.kind, CameraKind::Perspective | CameraKind::Orthographic)
+    }
+
+    /// Works statements in, in the order of section 1.3 of the camera facts.
+    ///
+    /// With `ordered` (old scenes) angle, look_at and transformations have acted already.
+    fn finish(mut self, ordered: bool) -> Camera {
+        let flat = self.uses_flat_angle();
+        if !ordered {
+            if let Some(angle) = self.angle_deg.filter(|a| flat && *a > 0.0) {
+                self.set_angle(angle);
+            }
+            if let Some(target) = self.look_at {
+                self.face(target);
+            }
+            let rescaled = !self.has_frame || self.angle_deg.is_some();
+            if matches!(self.kind, CameraKind::Orthographic) && rescaled {
+                let target = self.look_at.unwrap_or(DVec3::Z);
+                let scale = (target - self.location).length() / self.direction.length();
+                self.right *= scale;
+                self.up *= scale;
+            }
+        }
+        let focal_distance = match self.focal_point {
+            Some(point) => (point - self.location).length(),
+            None if (flat && self.angle_deg.is_some()) || self.look_at.is_some() => self.direction.length(),
+            None => 1.0,
+        };
+        let blurred = self.aperture != 0.0 && self.blur_samples[1] > 0;
+        let focal_blur = blurred.then_some(FocalBlur {
+            aperture: self.aperture,
+            min_samples: self.blur_samples[0],
+            max_samples: self.blur_samples[1],
+            confidence: self.confidence,
+            variance: self.variance,
+            focal_distance,
+            bokeh: self.bokeh,
+        });
+        let t = &self.transform;
+        let angle_deg = self.angle_deg.unwrap_or(if matches!(self.kind, CameraKind::Spherical) { 360.0 } else { 90.0 });
+        let half_if_given = if self.angle_deg.is_some() { angle_deg / 2.0 } else { 180.0 };
+        Camera {
+            location: t.point(self.location),
+            direction: t.vector(self.direction),
+            up: t.vector(self.up),
+            right: t.vector(self.right),
+            angle_deg,
+            vertical_angle_deg: self.vertical_angle_deg.unwrap_or(half_if_given),
+            normal: self.normal,
+            focal_blur,
+            kind: self.kind,
+        }
+    }
+
+    /// The camera of a scene.
+    pub(super) fn into_camera(self, version: u32) -> Camera {
+        self.finish(version < VERSION_OF_UNORDERED_CAMERAS)
+    }
+}
+
+impl Evaluator<'_> {
+    /// `{ … }` after `camera`.
+    pub(super) fn camera_block(&mut self) -> SourceResult<CameraStatement> {
+        self.open("camera")?;
+        let pick = |v: &Value| if let Value::Camera(c) = v { Some((**c).clone()) } else { None };
+        let mut camera = match self.take_declared(pick)? {
+            Some(camera) => camera,
+            None if self.version < VERSION_OF_UNORDERED_CAMERAS => {
+                self.defaults.last_camera.clone().unwrap_or_else(|| self.defaults.camera.clone())
+            }
+            None => self.defaults.camera.clone(),
+        };
+        self.camera_kind(&mut camera)?;
+        while self.camera_item(&mut camera)? {
+            self.comma()?;
+        }
+        let span = self.span();
+        self.close("camera")?;
+        if let Some(target) = camera.look_at
+            && (target - camera.location).length_squared() < POV_COINCIDENT
+        {
+            return self.error(span, "the camera's look_at is the same point as its location");
+        }
+        Ok(camera)
+    }
+
+    /// The type keyword, which must come first.
+    fn camera_kind(&mut self, camera: &mut CameraStatement) -> SourceResult<bool> {
+        let kind = match self.keyword()? {
+            Some(K::Perspective) => CameraKind::Perspective,
+            Some(K::Orthographic) => CameraKind::Orthographic,
+            Some(K::Fisheye) => CameraKind::Fisheye,
+            Some(K::UltraWideAngle) => CameraKind::UltraWideAngle,
+            Some(K::Omnimax) => CameraKind::Omnimax,
+            Some(K::Panoramic) => CameraKind::Panoramic,
+            Some(K::Spherical) => CameraKind::Spherical,
+            Some(K::Cylinder) => {
+                self.next()?;
+                let span = self.span();
+                camera.kind = match self.integer()? {
+                    n @ 1..=4 => CameraKind::Cylinder(n as u8),
+                    n => return self.error(span, format!("there is no cylinder camera of type {n}; use 1 to 4")),
+                };
+                return Ok(true);
+            }
+            Some(K::MeshCamera) => {
+                self.next()?;
+                camera.kind = CameraKind::Mesh(Arc::new(self.mesh_camera()?));
+                return Ok(true);
+            }
+            _ => return Ok(false),
+        };
+        self.next()?;
+        camera.kind = kind;
+        if self.version < VERSION_OF_UNORDERED_CAMERAS && matches!(camera.kind, CameraKind::Orthographic) {
+            let target = camera.look_at.unwrap_or(DVec3::Z);
+            let scale = (target - camera.location).length() / camera.direction.length();
+            camera.right *= scale;
+            camera.up *= scale;
+        }
+        Ok(true)
+    }
+
+    fn mesh_camera(&mut self) -> SourceResult<MeshCamera> {
+        self.open("mesh_camera")?;
+        let span = self.span();
+        let rays_per_pixel = self.integer()?.clamp(1, 1 << 16) as u32;
+        self.comma()?;
+        let distribution = self.integer()?;
+        if !(0..=3).contains(&distribution) {
+            return self.error(span, "a mesh camera has a distribution of 0, 1, 2 or 3");
+        }
+        if distribution >= 2 && rays_per_pixel != 1 {
+            return self.error(span, "this mesh camera distribution takes one ray per pixel");
+        }
+        self.comma()?;
+        let max_distance = if self.starts_expression()? { self.float()? } else { 0.0 };
+        let mut meshes = Vec::new();
+        let mut smooth = false;
+        loop {
+            self.comma()?;
+            if let Some(mesh) = self.object()? {
+                meshes.push(mesh);
+            } else if self.accept(K::Smooth)? {
+                smooth = true;
+            } else {
+                break;
+            }
+        }
+        if meshes.is_empty() {
+            return self.expected("a mesh");
+        }
+        self.close("mesh_camera")?;
+        Ok(MeshCamera { rays_per_pixel, distribution: distribution as u8, max_distance, meshes, smooth })
+    }
+
+    fn camera_item(&mut self, camera: &mut CameraStatement) -> SourceResult<bool> {
+        let ordered = self.version < VERSION_OF_UNORDERED_CAMERAS;
+        if let Some(transform) = self.transformation()? {
+            if ordered {
+                camera.location = transform.point(camera.location);
+                for v in [&mut camera.direction, &mut camera.up, &mut camera.right] {
+                    *v = transform.vector(*v);
+                }
+            } else {
+                camera.transform = camera.transform.then(&transform);
+            }
+            return Ok(true);
+        }
+        let span = self.span();
+        let Some(keyword) = self.keyword()? else { return Ok(false) };
+        match keyword {
+            K::Location => {
+                self.next()?;
+                camera.location = self.vector()?;
+            }
+            K::Direction => {
+                self.next()?;
+                camera.direction = self.vector()?;
+            }
+            K::Up => {
+                self.next()?;
+                camera.up = self.vector()?;
+                camera.has_frame = true;
+            }
+            K::Right => {
+                self.next()?;
+                camera.right = self.vector()?;
+                camera.has_frame = true;
+            }
+            K::Sky => {
+                self.next()?;
+                camera.sky = self.vector()?;
+            }
+            K::LookAt => {
+                self.next()?;
+                let target = self.vector()?;
+                camera.look_at = Some(target);
+                if ordered {
+                    camera.face(target);
+                }
+            }
+            K::Angle => {
+                self.next()?;
+                self.camera_angle(camera, span, ordered)?;
+            }
+            K::Normal => {
+                self.next()?;
+                camera.normal = self.normal_block(self.defaults.layer.normal.clone())?;
+            }
+            _ if ordered && self.camera_kind(camera)? => {}
+            _ => return self.focal_item(keyword, camera),
+        }
+        Ok(true)
+    }
+
+    fn camera_angle(&mut self, camera: &mut CameraStatement, span: Span, ordered: bool) -> SourceResult<()> {
+        let flat = camera.uses_flat_angle();
+        if matches!(camera.kind, CameraKind::Orthographic) && !self.starts_expression()? {
+            camera.angle_deg = Some(0.0);
+            return Ok(());
+        }
+        let angle = self.float()?;
+        if angle < 0.0 || (flat && angle >= 180.0) {
+            let range = if flat { "between 0 and 180 degrees" } else { "0 or more" };
+            return self.error(span, format!("the camera angle must be {range}"));
+        }
+        camera.angle_deg = Some(angle);
+        if matches!(camera.kind, CameraKind::Spherical) {
+            self.comma()?;
+            if self.starts_expression()? {
+                camera.vertical_angle_deg = Some(self.float()?);
+            }
+        }
+        if ordered && matches!(camera.kind, CameraKind::Perspective) && angle > 0.0 {
+            camera.set_angle(angle);
+        }
+        Ok(())
+    }
+
+    fn focal_item(&mut self, keyword: K, camera: &mut CameraStatement) -> SourceResult<bool> {
+        let span = self.span();
+        match keyword {
+            K::Aperture => {
+                self.next()?;
+                camera.aperture = self.float()?;
+            }
+            K::BlurSamples => {
+                self.next()?;
+                let first = self.integer()?.clamp(0, 1 << 24) as u32;
+                self.comma()?;
+                let second =
+                    if self.starts_expression()? { Some(self.integer()?.clamp(0, 1 << 24) as u32) } else { None };
+                camera.blur_samples = second.map_or([0, first], |most| [first, most]);
+                if camera.blur_samples[0] > camera.blur_samples[1] {
+                    return self.error(span, "the smallest number of blur samples exceeds the largest");
+                }
+            }
+            K::Confidence => {
+                self.next()?;
+                let value = self.float()?;
+                if value > 0.0 && value < 1.0 {
+                    camera.confidence = value;
+                } else {
+                    self.warn(span, "confidence must lie between 0 and 1; the default is kept");
+                }
+            }
+            K::Variance => {
+                self.next()?;
+                let value = self.float()?;
+                if (0.0..=1.0).contains(&value) {
+                    camera.variance = value;
+                } else {
+                    self.warn(span, "variance must lie between 0 and 1; the default is kept");
+                }
+            }
+            K::FocalPoint => {
+                self.next()?;
+                camera.focal_point = Some(self.vector()?);
+            }
+            K::Bokeh => {
+                self.next()?;
+                self.open("bokeh")?;
+                if !self.accept(K::Pigment)? {
+                    return self.expected("a pigment");
+                }
+                camera.bokeh = Some(Arc::new(self.pigment_block(Pigment::default())?));
+                self.close("bokeh")?;
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+}
+
+/// POV-Ray's threshold on the squared distance of look_at and location.
+const POV_COINCIDENT: f64 = 1e-10;

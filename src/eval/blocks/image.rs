@@ -1,0 +1,179 @@
+//! Pictures: the file or function behind `image_map` and its kin, and how they lie in space.
+
+use crate::diag::SourceResult;
+use crate::eval::Evaluator;
+use crate::scene::{Image, ImageFormat, ImageMapping, ImageSource, MapType, Working};
+use crate::syntax::Keyword as K;
+
+/// Type keywords, the extensions a file of that type may have, and the format.
+const TYPES: &[(K, &[&str], ImageFormat)] = &[
+    (K::Png, &["png", "PNG"], ImageFormat::Png),
+    (K::Gif, &["gif", "GIF"], ImageFormat::Gif),
+    (K::Tga, &["tga", "TGA"], ImageFormat::Tga),
+    (K::Bmp, &["bmp", "BMP"], ImageFormat::Bmp),
+    (K::Ppm, &["ppm", "PPM"], ImageFormat::Pnm),
+    (K::Pgm, &["pgm", "PGM"], ImageFormat::Pnm),
+    (K::Jpeg, &["jpg", "JPG", "jpeg", "JPEG"], ImageFormat::Jpeg),
+    (K::Tiff, &["tif", "TIF", "tiff", "TIFF"], ImageFormat::Tiff),
+    (K::Iff, &["iff", "IFF"], ImageFormat::Iff),
+    (K::Exr, &["exr", "EXR"], ImageFormat::Exr),
+    (K::Hdr, &["hdr", "HDR"], ImageFormat::Hdr),
+    (K::Pot, &["pot", "POT"], ImageFormat::Pot),
+];
+
+impl Evaluator<'_> {
+    /// A picture: `[type] "file"` or `function w, h { … }`, with `gamma` and `premultiplied`.
+    pub(super) fn image(&mut self) -> SourceResult<Image> {
+        if self.accept(K::Function)? {
+            let width = self.image_side()?;
+            self.comma()?;
+            let height = self.image_side()?;
+            let function = self.plain_function()?;
+            return Ok(Image {
+                source: ImageSource::Function { width, height, function },
+                gamma: None,
+                premultiplied: None,
+            });
+        }
+        if self.starts_expression()? {
+            let span = self.span();
+            self.vector()?;
+            self.comma()?;
+            self.warn(span, "an orientation vector before the file name has no effect");
+        }
+        let source = self.image_file()?;
+        let (mut gamma, mut premultiplied) = (None, None);
+        loop {
+            if self.accept(K::Gamma)? {
+                gamma = Some(self.gamma_value()?);
+            } else if self.accept(K::Premultiplied)? {
+                premultiplied = Some(self.optional_bool()?);
+            } else {
+                return Ok(Image { source, gamma, premultiplied });
+            }
+        }
+    }
+
+    fn image_side(&mut self) -> SourceResult<u32> {
+        let span = self.span();
+        let side = self.float()?;
+        if (0.5..65536.0).contains(&side) {
+            Ok((side + 0.5) as u32)
+        } else {
+            self.error(span, "a function image needs a width and a height between 1 and 65535")
+        }
+    }
+
+    /// A number above 0, or `srgb`.
+    pub(super) fn gamma_value(&mut self) -> SourceResult<Working> {
+        if self.accept(K::Srgb)? {
+            return Ok(Working::Srgb);
+        }
+        let span = self.span();
+        let gamma = self.float()?;
+        if gamma > 0.0 { Ok(Working::Power(gamma)) } else { self.error(span, "gamma must be greater than 0") }
+    }
+
+    fn image_file(&mut self) -> SourceResult<ImageSource> {
+        let mut chosen = None;
+        if let Some(keyword) = self.keyword()?
+            && let Some(entry) = TYPES.iter().find(|t| t.0 == keyword)
+        {
+            self.next()?;
+            chosen = Some(entry);
+        }
+        if !self.starts_string()? {
+            return self.expected("an image file name");
+        }
+        let span = self.span();
+        let name = self.file_name()?;
+        if chosen.is_none() {
+            let extension = std::path::Path::new(&*name).extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+            chosen = match extension {
+                None => TYPES.first(),
+                Some(e) => TYPES.iter().find(|t| t.1.contains(&e.as_str())),
+            };
+        }
+        let Some((_, extensions, format)) = chosen else {
+            return self.error(span, format!("the type of the image \"{name}\" cannot be told from its name"));
+        };
+        match self.find_typed(&name, extensions) {
+            Some(path) => Ok(ImageSource::File { path, format: *format }),
+            None => self.error(span, format!("cannot find the image \"{name}\"")),
+        }
+    }
+
+    /// A file of a type: a name that has the type's extension is tried as it is first, others last.
+    pub(super) fn find_typed(&mut self, name: &str, extensions: &[&str]) -> Option<std::path::PathBuf> {
+        let mut endings: Vec<String> = extensions.iter().map(|e| format!(".{e}")).collect();
+        let typed = endings.iter().any(|e| name.ends_with(e.as_str()));
+        endings.insert(if typed { 0 } else { endings.len() }, String::new());
+        self.find_file(name, &endings.iter().map(String::as_str).collect::<Vec<_>>())
+    }
+
+    /// `{ IMAGE options }` of `bump_map`, `image_pattern` and `material_map` up to what does
+    /// not belong to the picture; opens and closes the braces.
+    pub(super) fn image_and_mapping(&mut self, what: &str) -> SourceResult<(Image, ImageMapping)> {
+        self.open(what)?;
+        let image = self.image()?;
+        let mut mapping = ImageMapping::default();
+        while self.image_option(&mut mapping)? {}
+        self.close(what)?;
+        Ok((image, mapping))
+    }
+
+    /// One option of how a picture lies in space, if one comes next.
+    pub(super) fn image_option(&mut self, mapping: &mut ImageMapping) -> SourceResult<bool> {
+        self.comma()?;
+        let span = self.span();
+        let Some(keyword) = self.keyword()? else { return Ok(false) };
+        match keyword {
+            K::Once => {
+                self.next()?;
+                mapping.once = true;
+            }
+            K::MapType => {
+                self.next()?;
+                mapping.map_type = match self.integer()? {
+                    1 => MapType::Spherical,
+                    2 => MapType::Cylindrical,
+                    5 => MapType::Torus,
+                    _ => MapType::Planar,
+                };
+            }
+            K::Interpolate => {
+                self.next()?;
+                mapping.interpolate = match self.integer()? {
+                    n @ 2..=4 => n as u8,
+                    _ => 0,
+                };
+            }
+            K::Repeat => {
+                self.next()?;
+                let repeat = self.vector2()?;
+                if repeat.min_element() <= 0.0 {
+                    return self.error(span, "an image must be repeated a positive number of times");
+                }
+                mapping.repeat = repeat.to_array();
+            }
+            K::Offset => {
+                self.next()?;
+                mapping.offset = self.vector2()?.to_array();
+            }
+            K::UseColor | K::UseColour => {
+                self.next()?;
+                mapping.use_index = Some(false);
+            }
+            K::UseIndex => {
+                self.next()?;
+                mapping.use_index = Some(true);
+            }
+            K::UseAlpha => {
+                self.next()?;
+                mapping.use_alpha = true;
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+}

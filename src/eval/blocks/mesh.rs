@@ -1,0 +1,383 @@
+//! `mesh { … }` and `mesh2 { … }`.
+
+use crate::diag::{SourceResult, Span};
+use crate::eval::{Evaluator, Value};
+use crate::math::{DVec2, DVec3};
+use crate::scene::{Mesh, Shape, Texture};
+use crate::syntax::Keyword as K;
+use crate::syntax::TokenKind;
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// Below this in every component a normal counts as zero, as in POV-Ray.
+const POV_ZERO_NORMAL: f64 = 1e-10;
+
+/// A mesh under construction: equal points, normals and textures are stored once.
+#[derive(Default)]
+struct MeshBuilder {
+    mesh: Mesh,
+    points: FxHashMap<[u32; 3], u32>,
+    normals: FxHashMap<[u32; 3], u32>,
+    uvs: FxHashMap<[u64; 2], u32>,
+    textures: FxHashMap<usize, u32>,
+    any_normal: bool,
+    any_uv: bool,
+    any_texture: bool,
+}
+
+impl MeshBuilder {
+    fn point(&mut self, p: DVec3) -> u32 {
+        let p = p.as_vec3().to_array();
+        let next = self.mesh.vertices.len() as u32;
+        let index = *self.points.entry(p.map(f32::to_bits)).or_insert(next);
+        if index == next {
+            self.mesh.vertices.push(p);
+        }
+        index
+    }
+
+    fn normal(&mut self, n: DVec3) -> u32 {
+        let n = n.as_vec3().to_array();
+        let next = self.mesh.normals.len() as u32;
+        let index = *self.normals.entry(n.map(f32::to_bits)).or_insert(next);
+        if index == next {
+            self.mesh.normals.push(n);
+        }
+        index
+    }
+
+    fn uv(&mut self, uv: DVec2) -> u32 {
+        let next = self.mesh.uvs.len() as u32;
+        let index = *self.uvs.entry(uv.to_array().map(f64::to_bits)).or_insert(next);
+        if index == next {
+            self.mesh.uvs.push(uv);
+        }
+        index
+    }
+
+    fn texture(&mut self, texture: Arc<Texture>) -> u32 {
+        let next = self.mesh.textures.len() as u32;
+        let index = *self.textures.entry(Arc::as_ptr(&texture) as usize).or_insert(next);
+        if index == next {
+            self.mesh.textures.push(texture);
+        }
+        index
+    }
+
+    fn finish(mut self) -> Mesh {
+        if !self.any_uv {
+            self.mesh.uv_indices = Vec::new();
+            self.mesh.uvs = Vec::new();
+        }
+        if !self.any_texture {
+            self.mesh.face_textures = Vec::new();
+        }
+        if !self.any_normal {
+            self.mesh.normal_indices = Vec::new();
+        }
+        self.mesh
+    }
+}
+
+/// Marks a face without normals of its own among faces that have some.
+pub(crate) const FLAT_FACE: [u32; 3] = [u32::MAX; 3];
+
+impl Evaluator<'_> {
+    /// Triangles one by one, after `mesh {`.
+    pub(super) fn mesh(&mut self, span: Span) -> SourceResult<Shape> {
+        let mut builder = MeshBuilder::default();
+        let mut zero_normals = false;
+        loop {
+            self.comma()?;
+            match self.keyword()? {
+                Some(K::Triangle) => {
+                    self.next()?;
+                    self.open("triangle")?;
+                    let vertices = self.three_vectors()?;
+                    self.mesh_face(&mut builder, vertices, None)?;
+                }
+                Some(K::SmoothTriangle) => {
+                    self.next()?;
+                    self.open("smooth_triangle")?;
+                    let (mut vertices, mut normals) = ([DVec3::ZERO; 3], [DVec3::ZERO; 3]);
+                    for i in 0..3 {
+                        vertices[i] = self.vector()?;
+                        self.comma()?;
+                        let (normal, zero) = unit_normal(self.vector()?);
+                        normals[i] = normal;
+                        zero_normals |= zero;
+                        self.comma()?;
+                    }
+                    self.mesh_face(&mut builder, vertices, Some(normals))?;
+                }
+                Some(K::InsideVector) => {
+                    self.next()?;
+                    builder.mesh.inside_vector = inside_vector(self.vector()?);
+                }
+                _ => break,
+            }
+        }
+        if zero_normals {
+            self.warn(span, "some normals of this mesh are zero and become <1,0,0>");
+        }
+        let mesh = builder.finish();
+        if mesh.faces.is_empty() {
+            return self.error(span, "a mesh needs at least one triangle that has an area");
+        }
+        Ok(Shape::Mesh(Arc::new(mesh)))
+    }
+
+    /// What follows a triangle's points, with its closing brace.
+    fn mesh_face(&mut self, builder: &mut MeshBuilder, v: [DVec3; 3], normals: Option<[DVec3; 3]>) -> SourceResult<()> {
+        let mut uvs = None;
+        let mut textures = None;
+        self.comma()?;
+        if self.accept(K::UvVectors)? {
+            let mut corners = [DVec2::ZERO; 3];
+            for uv in &mut corners {
+                *uv = self.vector2()?;
+                self.comma()?;
+            }
+            uvs = Some(corners);
+        }
+        if self.accept(K::Texture)? {
+            self.open("texture")?;
+            let texture = self.mesh_texture(builder)?;
+            self.close("texture")?;
+            textures = Some([texture; 3]);
+        } else if self.accept(K::TextureList)? {
+            self.open("texture_list")?;
+            let mut three = [0; 3];
+            for slot in &mut three {
+                *slot = self.mesh_texture(builder)?;
+                self.comma()?;
+            }
+            self.close("texture_list")?;
+            textures = Some(three);
+        }
+        self.close("triangle")?;
+        if (v[1] - v[0]).cross(v[2] - v[0]) == DVec3::ZERO {
+            return Ok(()); // dropped silently, as in POV-Ray
+        }
+        let face = v.map(|p| builder.point(p));
+        builder.mesh.faces.push(face);
+        builder.any_normal |= normals.is_some();
+        let normal_indices = normals.map_or(FLAT_FACE, |n| n.map(|n| builder.normal(n)));
+        builder.mesh.normal_indices.push(normal_indices);
+        builder.any_uv |= uvs.is_some();
+        let uv_indices = uvs.unwrap_or_default().map(|uv| builder.uv(uv));
+        builder.mesh.uv_indices.push(uv_indices);
+        builder.any_texture |= textures.is_some();
+        builder.mesh.face_textures.push(textures);
+        Ok(())
+    }
+
+    fn mesh_texture(&mut self, builder: &mut MeshBuilder) -> SourceResult<u32> {
+        let pick = |v: &Value| if let Value::Texture(t) = v { Some(t.clone()) } else { None };
+        match self.take_declared(pick)? {
+            Some(texture) => Ok(builder.texture(texture)),
+            None => self.expected("the identifier of a declared texture"),
+        }
+    }
+
+    /// Index lists, after `mesh2 {`.
+    pub(super) fn mesh2(&mut self, span: Span) -> SourceResult<Shape> {
+        let mut mesh = Mesh { is_mesh2: true, ..Mesh::default() };
+        let mut zero_normals = false;
+        loop {
+            self.comma()?;
+            match self.keyword()? {
+                Some(K::VertexVectors) => {
+                    let points = self.counted_vectors("vertex_vectors")?;
+                    mesh.vertices = points.into_iter().map(|p| p.as_vec3().to_array()).collect();
+                }
+                Some(K::NormalVectors) => {
+                    let normals = self.counted_vectors("normal_vectors")?;
+                    mesh.normals = normals
+                        .into_iter()
+                        .map(|n| {
+                            let (normal, zero) = unit_normal(n);
+                            zero_normals |= zero;
+                            normal.as_vec3().to_array()
+                        })
+                        .collect();
+                }
+                Some(K::UvVectors) => {
+                    self.next()?;
+                    self.open("uv_vectors")?;
+                    mesh.uvs = self.counted_points()?;
+                    self.comma()?;
+                    self.close("uv_vectors")?;
+                }
+                Some(K::TextureList) => {
+                    self.next()?;
+                    self.mesh2_textures(&mut mesh)?;
+                }
+                _ => break,
+            }
+        }
+        if zero_normals {
+            self.warn(span, "some normals of this mesh are zero and become <1,0,0>");
+        }
+        if mesh.vertices.is_empty() {
+            return self.error(span, "a mesh2 needs vertex_vectors before its face_indices");
+        }
+        self.mesh2_faces(&mut mesh)?;
+        self.mesh2_indices(&mut mesh, span)?;
+        Ok(Shape::Mesh(Arc::new(mesh)))
+    }
+
+    /// `KEYWORD { n, <…>, … }`.
+    fn counted_vectors(&mut self, what: &str) -> SourceResult<Vec<DVec3>> {
+        self.next()?;
+        self.open(what)?;
+        let n = self.integer()?.max(0) as usize;
+        self.comma()?;
+        let list = self.vector_list(n)?;
+        self.comma()?;
+        self.close(what)?;
+        Ok(list)
+    }
+
+    /// Whether the next token opens a vector.
+    pub(super) fn at_vector(&mut self) -> SourceResult<bool> {
+        Ok(matches!(self.peek()?.kind, TokenKind::Vector | TokenKind::Vectors | TokenKind::Punct('<')))
+    }
+
+    fn mesh2_textures(&mut self, mesh: &mut Mesh) -> SourceResult<()> {
+        self.open("texture_list")?;
+        let n = self.integer()?;
+        self.comma()?;
+        for _ in 0..n {
+            if !self.accept(K::Texture)? {
+                return self.expected("a texture");
+            }
+            mesh.textures.push(Arc::new(self.texture_block()?));
+            self.comma()?;
+        }
+        self.close("texture_list")
+    }
+
+    fn mesh2_faces(&mut self, mesh: &mut Mesh) -> SourceResult<()> {
+        if !self.accept(K::FaceIndices)? {
+            return self.expected("'face_indices'");
+        }
+        self.open("face_indices")?;
+        let span = self.span();
+        let n = self.integer()?;
+        if n < 1 {
+            return self.error(span, "a mesh2 needs at least one face");
+        }
+        self.comma()?;
+        if mesh.textures.is_empty() {
+            let faces = self.vector_list(n as usize)?;
+            mesh.faces = self.indices(faces, mesh.vertices.len(), "vertex", span)?;
+            self.comma()?;
+        } else {
+            self.textured_faces(mesh, n as usize, span)?;
+        }
+        self.close("face_indices")
+    }
+
+    fn textured_faces(&mut self, mesh: &mut Mesh, n: usize, span: Span) -> SourceResult<()> {
+        let mut faces = Vec::new();
+        for _ in 0..n {
+            faces.push(self.vector()?);
+            self.comma()?;
+            let mut textures = Vec::new();
+            while textures.len() < 3 && !self.at_vector()? && self.starts_expression()? {
+                let span = self.span();
+                let index = self.integer()?;
+                if index < 0 || index as usize >= mesh.textures.len() {
+                    let most = mesh.textures.len() - 1;
+                    return self.error(span, format!("there is no texture {index}; they are numbered 0 to {most}"));
+                }
+                textures.push(index as u32);
+                self.comma()?;
+            }
+            mesh.face_textures.push(match textures[..] {
+                [] => None,
+                [a] => Some([a; 3]),
+                [a, b, c] => Some([a, b, c]),
+                _ => return self.error(span, "a face takes one or three texture indices"),
+            });
+        }
+        mesh.faces = self.indices(faces, mesh.vertices.len(), "vertex", span)?;
+        Ok(())
+    }
+
+    /// Truncates to whole numbers and checks the range.
+    fn indices(&mut self, list: Vec<DVec3>, n: usize, what: &str, span: Span) -> SourceResult<Vec<[u32; 3]>> {
+        let index = |v: f64| (v > -1.0 && v < n as f64).then_some(v as u32);
+        let convert = |v: DVec3| Some([index(v.x)?, index(v.y)?, index(v.z)?]);
+        match list.iter().map(|v| convert(*v)).collect() {
+            Some(indices) => Ok(indices),
+            None => {
+                let bad = list.iter().position(|v| convert(*v).is_none()).unwrap_or(0);
+                let v = list[bad];
+                self.error(
+                    span,
+                    format!(
+                        "<{},{},{}> (entry {bad}) is no {what} index; there are {n}, numbered from 0",
+                        v.x, v.y, v.z
+                    ),
+                )
+            }
+        }
+    }
+
+    fn mesh2_indices(&mut self, mesh: &mut Mesh, span: Span) -> SourceResult<()> {
+        let n_faces = mesh.faces.len();
+        loop {
+            self.comma()?;
+            let span = self.span();
+            match self.keyword()? {
+                Some(K::UvIndices) => {
+                    let list = self.counted_vectors("uv_indices")?;
+                    if list.len() != n_faces {
+                        return self.error(span, format!("{} uv indices do not fit {n_faces} faces", list.len()));
+                    }
+                    mesh.uv_indices = self.indices(list, mesh.uvs.len(), "uv", span)?;
+                }
+                Some(K::NormalIndices) => {
+                    let list = self.counted_vectors("normal_indices")?;
+                    if list.len() > n_faces {
+                        return self
+                            .error(span, format!("{} normal indices are more than {n_faces} faces", list.len()));
+                    }
+                    mesh.normal_indices = self.indices(list, mesh.normals.len(), "normal", span)?;
+                }
+                Some(K::InsideVector) => {
+                    self.next()?;
+                    mesh.inside_vector = inside_vector(self.vector()?);
+                }
+                _ => break,
+            }
+        }
+        if mesh.uv_indices.is_empty() && !mesh.uvs.is_empty() {
+            if mesh.uvs.len() == mesh.vertices.len() {
+                mesh.uv_indices = mesh.faces.clone();
+            } else if mesh.uvs.len() == 1 {
+                mesh.uv_indices = vec![[0; 3]; n_faces];
+            } else {
+                return self.error(span, "this mesh2 needs uv_indices: it has not as many uv_vectors as vertices");
+            }
+        }
+        if mesh.normal_indices.is_empty() && !mesh.normals.is_empty() {
+            if mesh.normals.len() != mesh.vertices.len() {
+                return self.error(span, "this mesh2 needs normal_indices: it has not as many normals as vertices");
+            }
+            mesh.normal_indices = mesh.faces.clone();
+        }
+        Ok(())
+    }
+}
+
+/// The unit normal, and whether it was zero and replaced by x.
+fn unit_normal(n: DVec3) -> (DVec3, bool) {
+    if n.abs().max_element() < POV_ZERO_NORMAL { (DVec3::X, true) } else { (n.normalize_or(DVec3::X), false) }
+}
+
+fn inside_vector(v: DVec3) -> Option<DVec3> {
+    (v.abs().max_element() >= POV_ZERO_NORMAL).then(|| v.normalize_or(DVec3::X))
+}

@@ -1,0 +1,223 @@
+//! `pigment { … }`.
+
+use crate::diag::SourceResult;
+use crate::eval::{Evaluator, Value};
+use crate::math::Color;
+use crate::scene::{Blend, ImageMap, MapType, Pattern, PatternKind, Pigment, PigmentKind};
+use crate::syntax::Keyword as K;
+use std::sync::Arc;
+
+/// A pigment while it is being read: what is written changes one part and keeps the rest.
+struct Draft {
+    pattern: Pattern,
+    content: Content,
+    quick_color: Option<Color>,
+    uv_mapping: bool,
+}
+
+enum Content {
+    Solid(Color),
+    Colors(Blend<Color>),
+    Pigments(Blend<Arc<Pigment>>),
+    Image(Arc<ImageMap>),
+}
+
+impl Draft {
+    fn new(pigment: Pigment) -> Self {
+        let (pattern, content) = match pigment.kind {
+            PigmentKind::Solid(color) => (Pattern::new(PatternKind::None), Content::Solid(color)),
+            PigmentKind::Colors(pattern, colors) => (pattern, Content::Colors(colors)),
+            PigmentKind::Pigments(pattern, pigments) => (pattern, Content::Pigments(pigments)),
+            PigmentKind::Image(pattern, image) => (pattern, Content::Image(image)),
+        };
+        Self { pattern, content, quick_color: pigment.quick_color, uv_mapping: pigment.uv_mapping }
+    }
+
+    fn finish(self) -> Pigment {
+        let kind = match self.content {
+            Content::Solid(color) => PigmentKind::Solid(color),
+            Content::Colors(colors) => PigmentKind::Colors(self.pattern, colors),
+            Content::Pigments(pigments) => PigmentKind::Pigments(self.pattern, pigments),
+            Content::Image(image) => PigmentKind::Image(self.pattern, image),
+        };
+        Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping }
+    }
+
+    /// After a pattern keyword: a map of the pattern before stays only where it can serve.
+    fn adopt_pattern(&mut self) {
+        let block = self.pattern.kind.n_blocks().is_some();
+        let serves = match &self.content {
+            Content::Solid(_) | Content::Image(_) => false,
+            Content::Colors(colors) => matches!(colors, Blend::Map(_)) != block,
+            Content::Pigments(pigments) => match pigments {
+                Blend::Map(_) | Blend::Default => !block,
+                Blend::List(_) => block,
+                Blend::Average(_) => matches!(self.pattern.kind, PatternKind::Average),
+            },
+        };
+        if !serves {
+            self.content = Content::Colors(Blend::Default);
+        }
+    }
+}
+
+impl Evaluator<'_> {
+    /// `{ … }` after `pigment`, starting from `start`.
+    pub(super) fn pigment_block(&mut self, start: Pigment) -> SourceResult<Pigment> {
+        self.open("pigment")?;
+        let pigment = self.pigment_items(start)?;
+        self.close("pigment")?;
+        Ok(pigment)
+    }
+
+    /// The inside of a pigment, also of a `pigment_map` entry.
+    pub(super) fn pigment_items(&mut self, start: Pigment) -> SourceResult<Pigment> {
+        let mut draft = Draft::new(start);
+        if self.accept(K::UvMapping)? {
+            draft.uv_mapping = true;
+        }
+        let pick = |v: &Value| if let Value::Pigment(p) = v { Some(p.clone()) } else { None };
+        if let Some(pigment) = self.take_declared(pick)? {
+            let uv_mapping = draft.uv_mapping;
+            draft = Draft::new((*pigment).clone());
+            draft.uv_mapping |= uv_mapping;
+        }
+        while self.pigment_item(&mut draft)? {}
+        Ok(draft.finish())
+    }
+
+    fn pigment_item(&mut self, draft: &mut Draft) -> SourceResult<bool> {
+        self.comma()?;
+        match self.keyword()? {
+            Some(K::ImageMap) => {
+                self.next()?;
+                draft.content = Content::Image(Arc::new(self.image_map()?));
+                draft.pattern.kind = PatternKind::None;
+                return Ok(true);
+            }
+            Some(K::ColorMap | K::ColourMap) => {
+                let span = self.span();
+                self.next()?;
+                let entries = self.color_map()?;
+                if draft.pattern.kind.n_blocks().is_some()
+                    || matches!(draft.content, Content::Solid(_) | Content::Image(_))
+                {
+                    return self.error(span, "a color_map needs a pattern that runs from 0 to 1 before it");
+                }
+                draft.content = Content::Colors(Blend::Map(entries));
+                return Ok(true);
+            }
+            Some(K::PigmentMap) => {
+                self.next()?;
+                let average = matches!(draft.pattern.kind, PatternKind::Average);
+                draft.content = Content::Pigments(self.pigment_map(average)?);
+                return Ok(true);
+            }
+            Some(K::QuickColor | K::QuickColour) => {
+                self.next()?;
+                draft.quick_color = Some(self.color()?);
+                return Ok(true);
+            }
+            Some(K::UvMapping) => {
+                self.next()?;
+                draft.uv_mapping = true;
+                return Ok(true);
+            }
+            _ => {}
+        }
+        let mut list = None;
+        let mut read_list = |e: &mut Evaluator, n: usize| {
+            list = e.pigment_list(n)?;
+            Ok(())
+        };
+        if self.pattern_keyword(&mut draft.pattern, &mut read_list)? {
+            match list {
+                Some(list) => draft.content = list,
+                None => draft.adopt_pattern(),
+            }
+            return Ok(true);
+        }
+        if self.starts_color()? {
+            draft.content = Content::Solid(self.color()?);
+            return Ok(true);
+        }
+        self.pattern_modifier(&mut draft.pattern)
+    }
+
+    /// The items of a block pattern: all colours or all pigments.
+    fn pigment_list(&mut self, n: usize) -> SourceResult<Option<Content>> {
+        self.comma()?;
+        if self.keyword()? == Some(K::Pigment) {
+            let mut pigments = Vec::new();
+            while pigments.len() < n && self.accept(K::Pigment)? {
+                let start = (*self.defaults.layer.pigment).clone();
+                pigments.push(Arc::new(self.pigment_block(start)?));
+                self.comma()?;
+            }
+            pigments.resize(n, self.defaults.layer.pigment.clone());
+            return Ok(Some(Content::Pigments(Blend::List(pigments))));
+        }
+        let mut colors = Vec::new();
+        while colors.len() < n && self.starts_color()? {
+            colors.push(self.color()?);
+            self.comma()?;
+        }
+        Ok((!colors.is_empty()).then_some(Content::Colors(Blend::List(colors))))
+    }
+
+    /// `image_map { … }`, after the word.
+    fn image_map(&mut self) -> SourceResult<ImageMap> {
+        self.open("image_map")?;
+        let image = self.image()?;
+        let mut map = ImageMap {
+            image,
+            mapping: Default::default(),
+            palette_filter: Vec::new(),
+            palette_transmit: Vec::new(),
+            filter_all: None,
+            transmit_all: None,
+        };
+        loop {
+            if self.keyword()? == Some(K::MapType) {
+                self.image_map_type(&mut map)?;
+            } else if !self.image_option(&mut map.mapping)? && !self.image_transparency(&mut map)? {
+                break;
+            }
+        }
+        self.close("image_map")?;
+        Ok(map)
+    }
+
+    /// Unlike its kin, `image_map` refuses projections that it does not know.
+    fn image_map_type(&mut self, map: &mut ImageMap) -> SourceResult<()> {
+        self.next()?;
+        let span = self.span();
+        map.mapping.map_type = match self.integer()? {
+            0 => MapType::Planar,
+            1 => MapType::Spherical,
+            2 => MapType::Cylindrical,
+            5 => MapType::Torus,
+            n => return self.error(span, format!("there is no map_type {n}; use 0, 1, 2 or 5")),
+        };
+        Ok(())
+    }
+
+    fn image_transparency(&mut self, map: &mut ImageMap) -> SourceResult<bool> {
+        let filter = match self.keyword()? {
+            Some(K::Filter) => true,
+            Some(K::Transmit) => false,
+            _ => return Ok(false),
+        };
+        self.next()?;
+        if self.accept(K::All)? {
+            let value = Some(self.float()? as f32);
+            *(if filter { &mut map.filter_all } else { &mut map.transmit_all }) = value;
+            return Ok(true);
+        }
+        let index = self.integer()?.clamp(0, i64::from(u32::MAX)) as u32;
+        self.comma()?;
+        let value = self.float()? as f32;
+        (if filter { &mut map.palette_filter } else { &mut map.palette_transmit }).push((index, value));
+        Ok(true)
+    }
+}

@@ -1,0 +1,313 @@
+//! `texture { … }` and `material { … }`.
+
+use crate::diag::SourceResult;
+use crate::eval::{Evaluator, Value};
+use crate::scene::{Blend, Interior, Pattern, PatternKind, PatternedTexture, Texture, TextureLayer};
+use crate::syntax::{Keyword as K, TokenKind};
+use std::sync::Arc;
+
+/// `material`: textures and an interior under one name.
+#[derive(Clone, Debug, Default)]
+pub struct Material {
+    /// The texture, if given.
+    pub texture: Option<Texture>,
+    /// The inner texture, if given.
+    pub interior_texture: Option<Texture>,
+    /// The interior, if given.
+    pub interior: Option<Arc<Interior>>,
+}
+
+impl Evaluator<'_> {
+    /// `{ … }` after `texture`.
+    pub(super) fn texture_block(&mut self) -> SourceResult<Texture> {
+        self.open("texture")?;
+        let texture = self.texture_items()?;
+        self.close("texture")?;
+        Ok(texture)
+    }
+
+    /// The inside of a texture, also of a `texture_map` entry.
+    pub(super) fn texture_items(&mut self) -> SourceResult<Texture> {
+        let pick = |v: &Value| if let Value::Texture(t) = v { Some(t.clone()) } else { None };
+        if let Some(known) = self.take_declared(pick)? {
+            let mut texture = (*known).clone();
+            self.texture_modifiers(&mut texture)?;
+            return Ok(texture);
+        }
+        if let Some(texture) = self.patterned_texture()? {
+            return Ok(texture);
+        }
+        let mut texture = Texture::Layers(vec![self.defaults.layer.clone()]);
+        self.texture_modifiers(&mut texture)?;
+        Ok(texture)
+    }
+
+    /// Pigments, normals, finishes and transformations on top of what is there.
+    fn texture_modifiers(&mut self, texture: &mut Texture) -> SourceResult<()> {
+        loop {
+            self.comma()?;
+            if let Some(transform) = self.transformation()? {
+                texture.apply(&transform);
+                continue;
+            }
+            let more = match texture {
+                Texture::Layers(layers) => match layers.last_mut() {
+                    Some(top) => self.layer_item(top)?,
+                    None => false,
+                },
+                Texture::Patterned(patterned) => self.patterned_item(patterned)?,
+            };
+            if !more {
+                return Ok(());
+            }
+        }
+    }
+
+    /// A pigment, normal or finish that replaces a part of `layer`; also their bare identifiers.
+    pub(super) fn layer_item(&mut self, layer: &mut TextureLayer) -> SourceResult<bool> {
+        match self.keyword()? {
+            Some(K::Pigment) => {
+                self.next()?;
+                let start = (*layer.pigment).clone();
+                layer.pigment = Arc::new(self.pigment_block(start)?);
+            }
+            Some(K::Normal) => {
+                self.next()?;
+                layer.normal = self.normal_block(layer.normal.clone())?;
+            }
+            Some(K::Finish) => {
+                self.next()?;
+                let start = (*layer.finish).clone();
+                layer.finish = Arc::new(self.finish_block(start)?);
+            }
+            Some(K::NoBumpScale) => {
+                self.next()?;
+                let on = self.optional_bool()?;
+                if let Some(normal) = &mut layer.normal {
+                    Arc::make_mut(normal).no_bump_scale = on;
+                }
+            }
+            Some(_) => return Ok(false),
+            None => return self.layer_identifier(layer),
+        }
+        Ok(true)
+    }
+
+    fn layer_identifier(&mut self, layer: &mut TextureLayer) -> SourceResult<bool> {
+        match self.declared()? {
+            Some(Value::Pigment(pigment)) => layer.pigment = pigment,
+            Some(Value::Normal(normal)) => layer.normal = Some(normal),
+            Some(Value::Finish(finish)) => layer.finish = finish,
+            _ => return Ok(false),
+        }
+        self.take_declared(|_| Some(()))?;
+        Ok(true)
+    }
+
+    /// A texture that starts with a pattern, if one does here.
+    fn patterned_texture(&mut self) -> SourceResult<Option<Texture>> {
+        let mut patterned = PatternedTexture {
+            pattern: Pattern::new(PatternKind::None),
+            map: Blend::Default,
+            no_bump_scale: false,
+            uv_mapping: self.accept(K::UvMapping)?,
+        };
+        let span = self.span();
+        let read = match self.keyword()? {
+            Some(K::MaterialMap) => {
+                self.next()?;
+                self.material_map(&mut patterned)?;
+                true
+            }
+            Some(K::Tiles) => {
+                self.next()?;
+                self.tiles(&mut patterned)?;
+                true
+            }
+            _ => self.patterned_item(&mut patterned)?,
+        };
+        if !read {
+            if !patterned.uv_mapping {
+                return Ok(None);
+            }
+            // `uv_mapping` before a plain texture's parts: each part is looked up at (u, v, 0).
+            let mut texture = Texture::Layers(vec![self.defaults.layer.clone()]);
+            self.texture_modifiers(&mut texture)?;
+            if let Texture::Layers(layers) = &mut texture {
+                for layer in layers {
+                    Arc::make_mut(&mut layer.pigment).uv_mapping = true;
+                    if let Some(normal) = &mut layer.normal {
+                        Arc::make_mut(normal).uv_mapping = true;
+                    }
+                }
+            }
+            return Ok(Some(texture));
+        }
+        while self.patterned_item(&mut patterned)? {
+            self.comma()?;
+        }
+        if matches!(patterned.map, Blend::Default) {
+            return self.error(span, "a texture with a pattern needs a texture_map or a list of textures");
+        }
+        Ok(Some(Texture::Patterned(Box::new(patterned))))
+    }
+
+    fn patterned_item(&mut self, patterned: &mut PatternedTexture) -> SourceResult<bool> {
+        match self.keyword()? {
+            Some(K::TextureMap) => {
+                self.next()?;
+                let average = matches!(patterned.pattern.kind, PatternKind::Average);
+                patterned.map = self.texture_map(average)?;
+                return Ok(true);
+            }
+            Some(K::NoBumpScale) => {
+                self.next()?;
+                patterned.no_bump_scale = self.optional_bool()?;
+                return Ok(true);
+            }
+            _ => {}
+        }
+        let mut list = Vec::new();
+        let mut read_list = |e: &mut Evaluator, n: usize| {
+            e.comma()?;
+            while list.len() < n && e.accept(K::Texture)? {
+                list.push(Arc::new(e.texture_block()?));
+                e.comma()?;
+            }
+            list.resize_with(n, || e.defaults.texture());
+            Ok(())
+        };
+        if self.pattern_keyword(&mut patterned.pattern, &mut read_list)? {
+            if !list.is_empty() {
+                patterned.map = Blend::List(list);
+            }
+            return Ok(true);
+        }
+        self.pattern_modifier(&mut patterned.pattern)
+    }
+
+    /// `material_map { IMAGE options texture … }`, after the word.
+    fn material_map(&mut self, patterned: &mut PatternedTexture) -> SourceResult<()> {
+        self.open("material_map")?;
+        let image = self.image()?;
+        let mut mapping = Default::default();
+        while self.image_option(&mut mapping)? {}
+        let mut textures = Vec::new();
+        while self.accept(K::Texture)? {
+            textures.push(Arc::new(self.texture_block()?));
+            self.comma()?;
+        }
+        if textures.is_empty() {
+            return self.expected("a texture of the material_map");
+        }
+        self.close("material_map")?;
+        patterned.pattern.kind = PatternKind::Material(Arc::new((image, mapping)));
+        patterned.pattern.frequency = 0.0;
+        patterned.map = Blend::List(textures);
+        Ok(())
+    }
+
+    /// `tiles { texture { … } tile2 texture { … } }`, after the word.
+    fn tiles(&mut self, patterned: &mut PatternedTexture) -> SourceResult<()> {
+        self.open("tiles")?;
+        let mut textures = Vec::new();
+        for word in [None, Some(K::Tile2)] {
+            if let Some(word) = word
+                && !self.accept(word)?
+            {
+                return self.expected("'tile2'");
+            }
+            if !self.accept(K::Texture)? {
+                return self.expected("a texture");
+            }
+            textures.push(Arc::new(self.texture_block()?));
+        }
+        self.close("tiles")?;
+        // The first texture lies on odd cubes: the other way round than with checker.
+        textures.reverse();
+        patterned.pattern = Pattern { frequency: 0.0, ..Pattern::new(PatternKind::Checker) };
+        patterned.map = Blend::List(textures);
+        Ok(())
+    }
+
+    /// `texture { … } texture { … } …` of a declaration: all layers.
+    ///
+    /// A directive behind a layer waits until the declaration is complete.
+    pub(super) fn layered_textures(&mut self) -> SourceResult<Texture> {
+        self.next()?;
+        let mut texture = self.texture_block()?;
+        while self.fill(true)? == TokenKind::Keyword(K::Texture) {
+            let span = self.next()?.span;
+            let above = self.texture_block()?;
+            texture = self.stack(texture, above, span)?;
+        }
+        Ok(texture)
+    }
+
+    /// Lays `top` over `below`; only plain textures can be layered.
+    pub(super) fn stack(&mut self, below: Texture, top: Texture, span: crate::diag::Span) -> SourceResult<Texture> {
+        match (below, top) {
+            (Texture::Layers(mut layers), Texture::Layers(more)) => {
+                layers.extend(more);
+                Ok(Texture::Layers(layers))
+            }
+            (Texture::Patterned(_), _) => self.error(span, "cannot layer a texture over a patterned one"),
+            (_, Texture::Patterned(_)) => self.error(span, "cannot layer a patterned texture over another"),
+        }
+    }
+
+    /// `{ … }` after `material`.
+    pub(super) fn material_block(&mut self) -> SourceResult<Material> {
+        self.open("material")?;
+        let pick = |v: &Value| if let Value::Material(m) = v { Some((**m).clone()) } else { None };
+        let mut material = self.take_declared(pick)?.unwrap_or_default();
+        loop {
+            let span = self.span();
+            if let Some(transform) = self.transformation()? {
+                for texture in [&mut material.texture, &mut material.interior_texture].into_iter().flatten() {
+                    texture.apply(&transform);
+                }
+                if let Some(interior) = &mut material.interior {
+                    Arc::make_mut(interior).apply(&transform);
+                }
+                continue;
+            }
+            match self.keyword()? {
+                Some(k @ (K::Texture | K::InteriorTexture)) => {
+                    self.next()?;
+                    let texture = self.texture_block()?;
+                    let inner = k == K::InteriorTexture;
+                    let slot = if inner { &mut material.interior_texture } else { &mut material.texture };
+                    let below = slot.take();
+                    let stacked = match below {
+                        Some(below) => self.stack(below, texture, span)?,
+                        None => texture,
+                    };
+                    *(if inner { &mut material.interior_texture } else { &mut material.texture }) = Some(stacked);
+                }
+                Some(K::Pigment | K::Normal | K::Finish) => {
+                    let layer = self.defaults.layer.clone();
+                    let texture = material.texture.get_or_insert_with(|| Texture::Layers(vec![layer]));
+                    match texture {
+                        Texture::Layers(layers) => {
+                            if let Some(top) = layers.last_mut() {
+                                self.layer_item(top)?;
+                            }
+                        }
+                        Texture::Patterned(_) => {
+                            return self.error(span, "a patterned texture takes no pigment, normal or finish");
+                        }
+                    }
+                }
+                Some(K::Interior) => {
+                    self.next()?;
+                    let start = material.interior.take();
+                    material.interior = Some(Arc::new(self.interior_block(start)?));
+                }
+                _ => break,
+            }
+        }
+        self.close("material")?;
+        Ok(material)
+    }
+}
