@@ -19,6 +19,9 @@ pub(crate) enum Core {
     End(f64),
 }
 
+/// A part's texture, with the way from the blob's space to the texture's.
+pub(crate) type OwnTexture = Option<(TextureId, Transform)>;
+
 /// A soft part: strength (1 - r²/R²)² within R of its core.
 #[derive(Clone, Debug)]
 pub(crate) struct BlobPart {
@@ -27,8 +30,8 @@ pub(crate) struct BlobPart {
     pub(crate) strength: f64,
     /// Takes the part's space to the blob's.
     pub(crate) blob_from_part: Transform,
-    /// Its own texture, with the way from the blob's space to the texture's.
-    pub(crate) texture: Option<(TextureId, Transform)>,
+    /// Its own texture.
+    pub(crate) texture: OwnTexture,
 }
 
 /// The surface where the field takes a value; inside where it is higher.
@@ -133,7 +136,7 @@ impl Blob {
 
     /// Textures of the parts around a point with their weights; parts without one stand for the
     /// blob's own (`None`). Empty if no part has a texture.
-    pub(crate) fn textures(&self, p: DVec3) -> SmallVec<[(Option<(TextureId, Transform)>, f32); 4]> {
+    pub(crate) fn textures(&self, p: DVec3) -> SmallVec<[(OwnTexture, f32); 4]> {
         if self.parts.iter().all(|part| part.texture.is_none()) {
             return SmallVec::new();
         }
