@@ -10,6 +10,7 @@
 
 mod bounds;
 mod color;
+mod mersenne_twister;
 pub mod noise;
 mod noise_table;
 mod ray;
@@ -18,5 +19,6 @@ mod transform;
 pub use bounds::Bounds;
 pub use color::{Color, Rgb, gray};
 pub use glam::{DMat3, DVec2, DVec3, DVec4};
+pub use mersenne_twister::MersenneTwister;
 pub use ray::{Range, Ray};
 pub use transform::{SingularMatrix, Transform};
