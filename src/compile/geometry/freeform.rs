@@ -13,11 +13,6 @@ use std::sync::Arc;
 pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Context) -> Option<Option<Folded>> {
     let unsupported = match &object.shape {
         Shape::Mesh(mesh) => return Some(Some(convert_mesh(builder, mesh, inside))),
-        Shape::Quadric { .. } => "quadric",
-        Shape::Polynomial { .. } => "poly",
-        Shape::Superellipsoid { .. } => "superellipsoid",
-        Shape::Polygon { .. } => "polygon",
-        Shape::Ovus { .. } => "ovus",
         Shape::HeightField(_) => "height_field",
         Shape::Blob(_) => "blob",
         Shape::BicubicPatch(_) => "bicubic_patch",

@@ -2,10 +2,12 @@
 //! where that loses nothing.
 
 use crate::compiled::geometry::{
-    Cone, Cuboid, Disc, Plane, Shape as Compiled, SmoothTriangle, Sphere, Torus, Triangle,
+    Cone, Cuboid, Disc, Ovus, Plane, Polygon, Polynomial, Quadric, Shape as Compiled, SmoothTriangle, Sphere,
+    Superellipsoid, Torus, Triangle,
 };
-use crate::math::{DVec3, Transform, gamma};
+use crate::math::{DVec3, MAX_DEGREE, Transform, gamma};
 use crate::scene::Shape;
+use std::sync::Arc;
 
 /// A primitive and what is left of its transform.
 pub(super) struct Folded {
@@ -68,6 +70,38 @@ pub(super) fn fold(shape: &Shape, place: Transform, inverse: &mut bool) -> Optio
             }
             Folded::placed(Compiled::Torus(Torus { major: *major, minor: *minor }), place)
         }
+        Shape::Ovus { bottom_radius, top_radius, .. } => {
+            if *top_radius >= 2.0 * bottom_radius {
+                return fold_sphere(DVec3::Y * *bottom_radius, *top_radius, place);
+            }
+            Folded::placed(Compiled::Ovus(Box::new(Ovus::new(*bottom_radius, *top_radius))), place)
+        }
+        Shape::Quadric { squares, products, linear, constant } => {
+            let quadric = Quadric {
+                squares: *squares,
+                products: *products,
+                linear: *linear,
+                constant: *constant,
+                keeps_normal: *inverse,
+            };
+            let empty = [squares, products, linear].iter().all(|v| **v == DVec3::ZERO);
+            if empty { None } else { Folded::placed(Compiled::Quadric(Box::new(quadric)), place) }
+        }
+        Shape::Polynomial { order, coefficients, .. } => {
+            let order = *order as usize;
+            if order > MAX_DEGREE || coefficients.iter().all(|c| *c == 0.0) {
+                return None;
+            }
+            let coefficients = Arc::clone(coefficients);
+            Folded::placed(Compiled::Polynomial(Polynomial { order, coefficients }), place)
+        }
+        Shape::Superellipsoid { east_west, north_south } => {
+            // Zero stands for its limit: a power that is as sharp as any.
+            let sharpest = |e: f64| if e == 0.0 { 1e-3 } else { e };
+            let (east_west, north_south) = (sharpest(*east_west), sharpest(*north_south));
+            Folded::placed(Compiled::Superellipsoid(Superellipsoid { east_west, north_south }), place)
+        }
+        Shape::Polygon { points } => fold_polygon(points, &place),
         Shape::Triangle { vertices } => {
             let (triangle, _) = fold_triangle(*vertices, [DVec3::ZERO; 3], &place)?;
             Folded::whole(Compiled::Triangle(Box::new(triangle)))
@@ -160,6 +194,40 @@ fn fold_cone(base: (DVec3, f64), cap: (DVec3, f64), open: bool, place: &Transfor
         Some(_) => frame(axis, height, radius, origin)?,
     };
     Folded::placed(Compiled::Cone(Cone { taper, open }), frame.then(place))
+}
+
+/// A polygon in its own plane: outlines close where a point repeats their first.
+fn fold_polygon(points: &[DVec3], place: &Transform) -> Option<Folded> {
+    let first = *points.first()?;
+    let u = points.iter().map(|p| *p - first).find(|u| u.length_squared() > 1e-10)?;
+    // POV-Ray's thresholds, also for points off the plane, which make the whole invisible; room
+    // for rounding is added, without which large turned polygons vanish there.
+    let apart = |v: &DVec3| v.length_squared() > 1e-10 && u.cross(*v).length_squared() > 1e-10;
+    let v = points.iter().map(|p| *p - first).find(apart)?;
+    let normal = u.cross(v).try_normalize()?;
+    let x = u.try_normalize()?;
+    let frame = Transform::from_columns(x, normal.cross(x), normal, first).ok()?;
+    let size = points.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+    let mut edges = Vec::new();
+    let mut outline: Vec<DVec3> = Vec::new();
+    let mut close = |outline: &mut Vec<DVec3>| {
+        for (i, a) in outline.iter().enumerate() {
+            let b = outline[(i + 1) % outline.len()];
+            edges.push([frame.inverse_point(*a).truncate(), frame.inverse_point(b).truncate()]);
+        }
+        outline.clear();
+    };
+    for p in points {
+        if (*p - first).dot(normal).abs() > 1e-10 + gamma(64) * size {
+            return None;
+        }
+        match outline.first() {
+            Some(start) if (*p - *start).abs().max_element() < 1e-10 => close(&mut outline),
+            _ => outline.push(*p),
+        }
+    }
+    close(&mut outline);
+    Folded::placed(Compiled::Polygon(Polygon { edges: edges.into() }), frame.then(place))
 }
 
 /// Corners and normals in the group's space, with POV-Ray's raw normal.

@@ -191,6 +191,67 @@ fn solids() {
 }
 
 #[test]
+fn eggs() {
+    let ovus = |b, t| object(Shape::Ovus { bottom_radius: b, top_radius: t, sturm: false });
+    let from = v(-5.0, 0.5, 0.0);
+    let normal = v(-0.949_917_760, 0.3125, 0.0);
+    check(&ovus(1.0, 0.5), from, DVec3::X, Some((v(-0.907_678_778, 0.5, 0.0), Some(normal))));
+    check(&ovus(1.0, 1.5), from, DVec3::X, Some((v(-1.417_191_316, 0.5, 0.0), None)));
+    check(&ovus(1.0, 1.0), from, DVec3::X, Some((v(-1.133_974_596, 0.5, 0.0), None)));
+}
+
+#[test]
+fn polynomials() {
+    // x⁴ + y⁴ + z⁴ = 1 and x⁶ + y⁶ + z⁶ = 1, by the place of their four coefficients.
+    let poly = |order: u32, pure: [usize; 4], n: usize| {
+        let mut coefficients = vec![0.0; n];
+        for (place, value) in pure.into_iter().zip([1.0, 1.0, 1.0, -1.0]) {
+            coefficients[place] = value;
+        }
+        object(Shape::Polynomial { order, coefficients: coefficients.into(), sturm: false })
+    };
+    let quartic = poly(4, [0, 20, 30, 34], 35);
+    for distance in [5.0, 1e3, 1e4, 1e5] {
+        let hit = v(0.3, 0.2, -0.997_566_129);
+        check(&quartic, v(0.3, 0.2, -distance), DVec3::Z, Some((hit, None)));
+    }
+    let sextic = poly(6, [0, 56, 77, 83], 84);
+    check(&sextic, v(0.3, 0.2, -5.0), DVec3::Z, Some((v(0.3, 0.2, -0.999_867_790), None)));
+    assert!(inside(&quartic, v(0.99, 0.0, 0.0)) && !inside(&quartic, v(1.01, 0.0, 0.0)));
+    let ball = |o: Object| inverse(o);
+    let quadric =
+        object(Shape::Quadric { squares: DVec3::ONE, products: DVec3::ZERO, linear: DVec3::ZERO, constant: -1.0 });
+    let normal = v(0.0, 0.5, -0.866_025_404);
+    let hit = v(0.0, 0.5, -0.866_025_404);
+    check(&quadric, v(0.0, 0.5, -5.0), DVec3::Z, Some((hit, Some(normal))));
+    check(&ball(quadric.clone()), v(0.0, 0.5, -5.0), DVec3::Z, Some((hit, Some(normal))));
+    assert!(inside(&quadric, DVec3::X) && !inside(&ball(quadric), DVec3::ZERO));
+}
+
+#[test]
+fn superellipsoids() {
+    let s = |e, n| object(Shape::Superellipsoid { east_west: e, north_south: n });
+    let normal = v(0.000_261_922, 0.000_077_606, -0.999_999_963);
+    check(&s(0.5, 0.25), v(0.3, 0.2, -5.0), DVec3::Z, Some((v(0.3, 0.2, -0.999_988_238), Some(normal))));
+    check(&s(0.5, 0.25), DVec3::splat(5.0), DVec3::NEG_ONE, Some((DVec3::splat(0.817_765_434), None)));
+    let far = moved(s(0.5, 0.25), &Transform::scaling(DVec3::splat(1e3)));
+    check(&far, v(0.0, 0.0, -1000.05), DVec3::Z, Some((v(0.0, 0.0, -1000.0), None)));
+}
+
+#[test]
+fn polygons() {
+    let square = |side: f64, off: f64| {
+        let points = [v(0.0, 0.0, 0.0), v(side, 0.0, 0.0), v(side, side, 0.0), v(0.0, side, off), v(0.0, 0.0, 0.0)];
+        object(Shape::Polygon { points: points.into() })
+    };
+    check(&square(1.0, 0.0), v(0.5, 0.5, -5.0), DVec3::Z, Some((v(0.5, 0.5, 0.0), Some(DVec3::Z))));
+    check(&square(1.0, 0.0), v(1.5, 0.5, -5.0), DVec3::Z, None);
+    check(&square(4e-3, 0.0), v(1e-3, 1e-3, -5.0), DVec3::Z, Some((v(1e-3, 1e-3, 0.0), None)));
+    check(&square(2e-3, 0.0), v(1e-3, 1e-3, -5.0), DVec3::Z, None);
+    check(&square(1.0, 1e-9), v(0.5, 0.5, -5.0), DVec3::Z, None);
+}
+
+#[test]
 fn clips_keep_surfaces_open() {
     let mut half = sphere(DVec3::ZERO, 1.0);
     half.clipped_by.push(Arc::new(object(Shape::Plane { normal: DVec3::Z, distance: 0.0 })));

@@ -29,7 +29,8 @@ pub(crate) use graph::{
     Group, Instance, Item, ItemKind, Look, Node, NodeKind, Operation, Placement, Primitive, Skips, padded,
 };
 pub(crate) use shape::{
-    Cone, Cuboid, Disc, Mesh, MeshData, MeshTree, Plane, Shape, SmoothTriangle, Sphere, Torus, Triangle,
+    Cone, Cuboid, Disc, Mesh, MeshData, MeshTree, Ovus, Plane, Polygon, Polynomial, Quadric, Shape, SmoothTriangle,
+    Sphere, Superellipsoid, Torus, Triangle,
 };
 
 use crate::math::{Bounds, DVec3, Range, Ray};

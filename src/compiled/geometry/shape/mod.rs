@@ -6,20 +6,30 @@
 mod cone;
 mod cuboid;
 mod mesh;
+mod ovus;
 mod plane;
+mod polygon;
+mod polynomial;
+mod quadric;
 mod sphere;
+mod superellipsoid;
 mod torus;
 mod triangle;
 
 pub(crate) use cone::Cone;
 pub(crate) use cuboid::Cuboid;
 pub(crate) use mesh::{Mesh, MeshData, MeshTree};
+pub(crate) use ovus::Ovus;
 pub(crate) use plane::{Disc, Plane};
+pub(crate) use polygon::Polygon;
+pub(crate) use polynomial::Polynomial;
+pub(crate) use quadric::Quadric;
 pub(crate) use sphere::{Sphere, spherical_uv};
+pub(crate) use superellipsoid::Superellipsoid;
 pub(crate) use torus::Torus;
 pub(crate) use triangle::{SmoothTriangle, Triangle};
 
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
 use smallvec::SmallVec;
 
 /// One crossing of a ray with a shape.
@@ -120,6 +130,11 @@ shapes! {
     Disc(Disc),
     Cone(Cone),
     Torus(Torus),
+    Ovus(Box<Ovus>),
+    Quadric(Box<Quadric>),
+    Polynomial(Polynomial),
+    Superellipsoid(Superellipsoid),
+    Polygon(Polygon),
     Triangle(Box<Triangle>),
     SmoothTriangle(Box<SmoothTriangle>),
     Mesh(Mesh),
@@ -144,6 +159,26 @@ impl<P: Primitive> Primitive for Box<P> {
     fn occluded(&self, ray: &Ray, range: Range) -> bool {
         (**self).occluded(ray, range)
     }
+}
+
+/// Moves a point onto an implicit surface along its gradient, and bounds what is left.
+///
+/// `sample` gives value, gradient and the sum of the magnitudes of all terms.
+fn onto_surface(mut p: DVec3, sample: impl Fn(DVec3) -> (f64, DVec3, f64)) -> (DVec3, f64, DVec3) {
+    // Newton's step doubles the digits; the second cleans up after far away hits.
+    for _ in 0..2 {
+        let (value, gradient, _) = sample(p);
+        let step = gradient * (value / gradient.length_squared());
+        if step.is_finite() {
+            p -= step;
+        }
+    }
+    let (_, gradient, magnitude) = sample(p);
+    let slope = gradient.length();
+    // Evaluation here and in the next intersection test: a dozen roundings of each term, at most.
+    let noise = gamma(64) * magnitude / slope;
+    let error = if noise.is_finite() { noise } else { gamma(64) * p.abs().max_element() };
+    (p, error, gradient)
 }
 
 /// A ray with a unit direction and its origin moved near the shape, for forms that cancel when

@@ -20,7 +20,7 @@ impl Torus {
     ///
     /// Source: Hanrahan, A Survey of Ray-Surface Intersection Algorithms, in Glassner, An
     /// Introduction to Ray Tracing, 1989.
-    fn quartic(&self, o: DVec3, d: DVec3) -> [f64; 5] {
+    pub(super) fn quartic(&self, o: DVec3, d: DVec3) -> [f64; 5] {
         let four_r2 = 4.0 * self.major * self.major;
         let m = o.dot(d);
         // p² + R² - r² as k + 2 m s + s².

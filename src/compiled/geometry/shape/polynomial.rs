@@ -1,0 +1,134 @@
+//! `cubic`, `quartic`, `poly`: surfaces of any degree up to 35.
+
+use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
+use crate::math::{Bounds, DVec3, MAX_DEGREE, Range, Ray, roots_in};
+use std::sync::Arc;
+
+/// The zeros of a polynomial in x, y and z; inside where not positive.
+#[derive(Clone, Debug)]
+pub(crate) struct Polynomial {
+    /// Highest total degree.
+    pub(crate) order: usize,
+    /// Of x^i y^j z^k with i, then j, then k falling.
+    pub(crate) coefficients: Arc<[f64]>,
+}
+
+/// A polynomial along a ray, rising.
+type Along = [f64; MAX_DEGREE + 1];
+
+impl Polynomial {
+    /// Combines all terms by Horner's rule in x, within it in y, within it in z: `step(sum, axis)`
+    /// multiplies by a coordinate, `add(sum, c)` adds.
+    fn horner<S>(
+        &self,
+        zero: impl Fn() -> S,
+        step: impl Fn(&mut S, usize),
+        leaf: impl Fn(&mut S, f64),
+        add: impl Fn(&mut S, &S),
+    ) -> S {
+        let mut next = self.coefficients.iter();
+        let mut in_x = zero();
+        for i in (0..=self.order).rev() {
+            let mut in_y = zero();
+            for j in (0..=self.order - i).rev() {
+                let mut in_z = zero();
+                for _ in 0..=self.order - i - j {
+                    step(&mut in_z, 2);
+                    leaf(&mut in_z, *next.next().unwrap_or(&0.0));
+                }
+                step(&mut in_y, 1);
+                add(&mut in_y, &in_z);
+            }
+            step(&mut in_x, 0);
+            add(&mut in_x, &in_y);
+        }
+        in_x
+    }
+
+    /// Coefficients along a ray.
+    fn along(&self, o: DVec3, d: DVec3) -> Along {
+        let n = self.order;
+        let multiply = |sum: &mut Along, axis: usize| {
+            for k in (1..=n).rev() {
+                sum[k] = sum[k] * o[axis] + sum[k - 1] * d[axis];
+            }
+            sum[0] *= o[axis];
+        };
+        let add = |sum: &mut Along, other: &Along| {
+            for k in 0..=n {
+                sum[k] += other[k];
+            }
+        };
+        self.horner(|| [0.0; MAX_DEGREE + 1], multiply, |sum, c| sum[0] += c, add)
+    }
+
+    fn value(&self, p: DVec3) -> f64 {
+        self.horner(|| 0.0, |sum, axis| *sum *= p[axis], |sum, c| *sum += c, |sum, other| *sum += other)
+    }
+
+    /// Value, gradient, and the sum of the magnitudes of all terms.
+    fn sample(&self, p: DVec3) -> (f64, DVec3, f64) {
+        type Sum = (f64, DVec3, f64);
+        let multiply = |sum: &mut Sum, axis: usize| {
+            sum.1 = sum.1 * p[axis] + DVec3::AXES[axis] * sum.0;
+            sum.0 *= p[axis];
+            sum.2 *= p[axis].abs();
+        };
+        let add = |sum: &mut Sum, other: &Sum| *sum = (sum.0 + other.0, sum.1 + other.1, sum.2 + other.2);
+        let leaf = |sum: &mut Sum, c: f64| *sum = (sum.0 + c, sum.1, sum.2 + c.abs());
+        self.horner(|| (0.0, DVec3::ZERO, 0.0), multiply, leaf, add)
+    }
+}
+
+impl Primitive for Polynomial {
+    fn bounds(&self) -> Bounds {
+        Bounds::INFINITE
+    }
+
+    /// Roots near the point closest to the origin come from the polynomial itself, far ones from
+    /// its reversal in 1/s, so that a vanishing leading coefficient does no harm.
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        let near = NearRay::new(ray, DVec3::ZERO, 0.0);
+        let n = self.order;
+        let along = &self.along(near.origin, near.direction)[..=n];
+        let inside = near.range(range);
+        let radius = balance(along);
+        let mut record = |s: f64| {
+            let t = near.t(s);
+            if range.contains(t) {
+                out.push(ShapeHit { t, part: 0 });
+            }
+        };
+        roots_in(along, inside.min.max(-radius), inside.max.min(radius)).into_iter().for_each(&mut record);
+        let mut reversed = [0.0; MAX_DEGREE + 1];
+        for (k, c) in along.iter().enumerate() {
+            reversed[n - k] = *c;
+        }
+        let far = 1.0 / radius;
+        for (low, high) in [(-far, 0.0), (0.0, far)] {
+            let wanted = if high > 0.0 { inside.max > radius } else { inside.min < -radius };
+            if wanted {
+                let roots = roots_in(&reversed[..=n], low, high);
+                roots.into_iter().filter(|u| u.abs() < far).for_each(|u| record(1.0 / u));
+            }
+        }
+    }
+
+    fn contains(&self, p: DVec3) -> bool {
+        self.value(p) <= 0.0
+    }
+
+    fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
+        let (point, error, gradient) = super::onto_surface(ray.at(t), |p| self.sample(p));
+        LocalSurface::plain(point, error, if gradient == DVec3::ZERO { DVec3::X } else { gradient })
+    }
+}
+
+/// A radius at which the lowest and the highest term weigh the same; 1 where one is missing.
+fn balance(coefficients: &[f64]) -> f64 {
+    let n = coefficients.len() - 1;
+    let ratio = (coefficients[0] / coefficients[n]).abs();
+    // Roots of even surfaces lie just there; a cut beside them keeps them whole.
+    let radius = if ratio.is_finite() && ratio > 0.0 { 1.7 * (ratio.ln() / n as f64).exp() } else { 1.0 };
+    if radius.is_finite() && radius > 0.0 { radius } else { 1.0 }
+}

@@ -1,0 +1,39 @@
+//! Section 6 of the camera and image facts.
+
+use super::*;
+
+/// A plane at distance 4 behind fog; the facts give four decimals.
+fn foggy(fog: &str, expected: [f32; 3]) {
+    let camera = "camera{location <0,0,-4> look_at 0 right x up y angle 1}";
+    let wall = "plane{z,0 inverse pigment{rgb <.2,.4,.8>} finish{ambient 1 diffuse 0}}";
+    check_within(&format!("{camera} {wall} {fog}"), expected, 6e-5);
+}
+
+#[test]
+fn fog_adds_and_filters() {
+    foggy("fog{distance 10 rgb .5}", [0.2989, 0.4330, 0.7011]);
+    foggy("fog{distance 10 rgbf<.5,.25,.75,.6>}", [0.2587, 0.2299, 0.7031]);
+    foggy("fog{distance 10 rgbt<.5,.5,.5,.8>}", [0.26, 0.42, 0.74]);
+    foggy("fog{distance 10 rgb <1,0,0>} fog{distance 20 rgb <0,0,1>}", [0.4394, 0.2195, 0.6203]);
+    foggy("fog{distance -10 rgb .5}", [0.0525, 0.3508, 0.9475]);
+}
+
+#[test]
+fn skies_are_layered() {
+    let sky = "background{rgb <.9,.6,.3>} sky_sphere{pigment{rgbft<.5,.25,.75,.3,.2>} \
+        pigment{rgbft<.4,.8,.2,.1,.35>} emission rgb <.5,1,.7>}";
+    check_within(&format!("{CZ} {sky}"), [0.2816, 0.5647, 0.2213], 6e-5);
+    let gradient = "camera{location 0 look_at <-1,0,3> right x up y angle 1} \
+        sky_sphere{pigment{gradient x translate -.5*x}}";
+    check_within(gradient, [0.18378; 3], 6e-5);
+}
+
+#[test]
+fn alpha_shows_the_backdrop() {
+    let see = |background: &str, expected: [f32; 4]| {
+        let found = pixel(&format!("{CZ} background{{{background}}}"), &Options { alpha: true, ..single() });
+        assert!(found.iter().zip(expected).all(|(f, e)| (f - e).abs() < 1e-3), "{found:?} instead of {expected:?}");
+    };
+    see("rgbt<.5,.25,1,.5>", [0.25, 0.125, 0.5, 0.5]);
+    see("rgbf<.5,.25,1,.6>", [0.2, 0.1, 0.4, 0.754]);
+}

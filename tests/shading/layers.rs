@@ -1,0 +1,59 @@
+//! Section 6 of the shading facts.
+
+use super::*;
+
+const BOTTOM: &str = "texture{pigment{rgb <1,.5,.25>} finish{ambient .3 diffuse 0}}";
+const TOP: &str = "texture{pigment{rgbft <.2,.9,.5,.6,.1>} finish{ambient .5 diffuse 0}}";
+
+#[test]
+fn layers_filter_what_is_below() {
+    let wall = |textures: &str, expected: [f32; 3]| {
+        check(&format!("{CZ} {BG} plane{{-z,0 {textures}}}"), expected);
+    };
+    wall(&format!("{BOTTOM} {TOP}"), [0.095995, 0.231006, 0.104997]);
+    let third = "texture{pigment{rgbt .5} finish{ambient .2 diffuse 0}}";
+    wall(&format!("{BOTTOM} {TOP} {third}"), [0.097993, 0.165499, 0.102495]);
+    let clear = "texture{pigment{rgbf <1,.5,.25,.5>} finish{ambient .3 diffuse 0}}";
+    wall(&format!("{clear} {TOP}"), [0.084993, 0.246998, 0.119997]);
+}
+
+#[test]
+fn reflections_of_layers_add_up() {
+    let floor = |textures: &str, expected: [f32; 3]| {
+        check(&format!("{CY} {BG} plane{{y,0 {textures}}}"), expected);
+    };
+    let bottom = "texture{pigment{rgb <1,.5,.25>} finish{ambient .3 diffuse 0 reflection .25}}";
+    let top = "texture{pigment{rgbft <.2,.9,.5,.6,.1>} finish{ambient .5 diffuse 0 reflection .5}}";
+    floor(&format!("{bottom} {top}"), [0.246006, 0.530999, 0.555001]);
+    let varnish = "texture{pigment{rgbt 1} finish{ambient 0 diffuse 0 reflection .4 conserve_energy}}";
+    floor(&format!("{BOTTOM} {varnish}"), [0.259998, 0.250004, 0.284993]);
+}
+
+#[test]
+fn layers_end_where_nothing_shows() {
+    for (q, expected) in [(".003", 0.299107), (".0045", 0.748653)] {
+        let below = "texture{pigment{rgb 1} finish{ambient 100 diffuse 0}}";
+        let above = format!("texture{{pigment{{rgbt <.3,.3,.3,{q}>}} finish{{ambient 1 diffuse 0}}}}");
+        check_grey(&format!("{CZ} plane{{-z,0 {below} {above}}}"), expected);
+    }
+}
+
+#[test]
+fn texture_maps_mix_results_and_colour_maps_mix_colours() {
+    let lamp = "light_source{<0,5,-5> rgb .8}";
+    let map = "texture{gradient x translate -.25*x texture_map{\
+        [0 pigment{rgb <1,.5,.25>} finish{ambient 0 diffuse 1 brilliance 3}]\
+        [1 pigment{rgbt <.2,.9,.5,.6>} finish{ambient .1 diffuse .2 specular .3 roughness .1}]}}";
+    check(&format!("{CZ} {BG} {lamp} plane{{-z,0 {map}}}"), [0.273579, 0.212436, 0.180880]);
+    let colors = "pigment{gradient x translate -.25*x color_map{[0 rgb <1,.5,.25>][1 rgbt <.2,.9,.5,.6>]}} \
+        finish{ambient .3 diffuse 0}";
+    check(&format!("{CZ} {BG} {lamp} plane{{-z,0 {colors}}}"), [0.233997, 0.213001, 0.169680]);
+}
+
+#[test]
+fn the_inside_may_look_different() {
+    let textures = "texture{pigment{rgb 1} finish{ambient .1 diffuse 0}} \
+        interior_texture{pigment{rgb 1} finish{ambient .7 diffuse 0}}";
+    check_grey(&format!("{CZ} plane{{z,0 {textures}}}"), 0.700008);
+    check_grey(&format!("{CZ} plane{{z,0 {textures} inverse}}"), 0.100008);
+}

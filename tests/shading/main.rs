@@ -1,0 +1,64 @@
+//! Scenes of one pixel, from text to light, against the numbers that POV-Ray 3.7 gives.
+//!
+//! Every number is read from a linear 16-bit picture by POV-Ray 3.7.0.10 and is good to 8e-6.
+
+mod atmosphere;
+mod finishes;
+mod interiors;
+mod layers;
+mod lights;
+mod recursion;
+mod shadows;
+
+use whitted::compile::{self, Queries};
+use whitted::eval::{self, Memory};
+use whitted::render::{self, Options};
+
+/// Camera on the z axis, looking along it.
+const CZ: &str = "camera{location <0,0,-10> look_at 0 right x up y angle 1}";
+/// Camera above, looking down at 45 degrees.
+const CY: &str = "camera{location <0,5,-5> look_at 0 right x up y angle 1}";
+/// A white diffuse wall that faces the camera.
+const WALL: &str = "plane{-z,0 pigment{rgb 1} finish{ambient 0 diffuse 1}}";
+/// A bluish background.
+const BG: &str = "background{rgb <.2,.4,.6>}";
+
+/// Half of the last digit of the measured numbers, and single precision on our side.
+const TOLERANCE: f32 = 1.6e-5;
+
+/// The pixel of a scene after the common header.
+fn pixel(scene: &str, options: &Options) -> [f32; 4] {
+    let text = format!("#version 3.7; global_settings {{ assumed_gamma 1.0 }}\n{scene}");
+    let host = Memory::new([("a.pov", text.as_str())]);
+    let read = eval::evaluate("a.pov".as_ref(), &eval::Options::default(), &host, &Queries::default());
+    let read = read.unwrap_or_else(|f| panic!("{scene}\n{}", messages(&f.diagnostics, &f.sources)));
+    let compiled = compile::compile(&read.scene);
+    let (world, _) = compiled.unwrap_or_else(|e| panic!("{scene}\n{}", messages(&e, &read.sources)));
+    render::render(&world, options, &|_| {}).picture.pixel(0, 0)
+}
+
+fn messages(diagnostics: &[whitted::diag::Diagnostic], sources: &whitted::diag::SourceMap) -> String {
+    diagnostics.iter().map(|d| d.render(sources, false)).collect()
+}
+
+/// One pixel, one thread, all effects.
+fn single() -> Options {
+    Options { width: 1, height: 1, threads: 1, ..Options::default() }
+}
+
+/// Renders a scene and compares its colour.
+fn check(scene: &str, expected: [f32; 3]) {
+    check_within(scene, expected, TOLERANCE);
+}
+
+/// The same with a tolerance of its own.
+fn check_within(scene: &str, expected: [f32; 3], tolerance: f32) {
+    let found = pixel(scene, &single());
+    let worst = (0..3).map(|i| (found[i] - expected[i]).abs()).fold(0.0, f32::max);
+    assert!(worst <= tolerance, "{found:?} instead of {expected:?} for\n{scene}");
+}
+
+/// A grey result.
+fn check_grey(scene: &str, expected: f32) {
+    check(scene, [expected; 3]);
+}
