@@ -1,13 +1,14 @@
 //! The whole scene: geometry first, then everything that its indices refer to.
 
 use super::geometry::{CompiledGeometry, PlacedLight};
-use super::texture::{Refusal, TextureCompiler};
+use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
-use crate::compiled::atmosphere::{Atmosphere, Fog, Rainbow, Sky};
+use crate::compiled::atmosphere::{Atmosphere, Fog, FogTurbulence, Rainbow, Sky};
 use crate::compiled::interior::{Interior, InteriorFade};
 use crate::compiled::{Group, Settings, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span};
 use crate::math::DVec3;
+use crate::math::noise::Octaves;
 use crate::scene::{self, Gamma, Object, Scene, Texture, Working};
 use std::sync::Arc;
 
@@ -138,12 +139,12 @@ fn atmosphere(scene: &Scene, compiler: &mut TextureCompiler<'_>) -> Result<Atmos
     Ok(Atmosphere {
         background: scene.background,
         sky,
-        fogs: scene.fogs.iter().filter(|f| f.distance.abs() > TINY).map(fog).collect(),
+        fogs: scene.fogs.iter().filter(|f| f.distance.abs() > TINY).map(|f| fog(f, &scene.settings)).collect(),
         rainbows: rainbows.map(|r| rainbow(r, compiler)).collect::<Result<_, _>>()?,
     })
 }
 
-fn fog(fog: &scene::Fog) -> Fog {
+fn fog(fog: &scene::Fog, settings: &scene::Settings) -> Fog {
     Fog {
         ground: fog.ground,
         distance: fog.distance,
@@ -151,6 +152,12 @@ fn fog(fog: &scene::Fog) -> Fog {
         offset: fog.offset,
         altitude: fog.alt,
         up: fog.up,
+        turbulence: fog.turbulence.map(|t| FogTurbulence {
+            scale: t.amount,
+            octaves: Octaves { count: t.octaves, lambda: t.lambda, omega: t.omega },
+            generator: noise_generator(settings),
+            depth: fog.turb_depth,
+        }),
     }
 }
 
@@ -177,13 +184,11 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
 /// What a Whitted renderer leaves out is said once for each feature.
 fn warn_about_media(scene: &Scene, interiors: &[Arc<scene::Interior>], warnings: &mut Vec<Diagnostic>) {
     let media = !scene.media.is_empty() || interiors.iter().any(|i| !i.media.is_empty());
-    let turbulent = scene.fogs.iter().any(|f| f.turbulence.is_some());
     let left_out = [
         (media, "`media` is not rendered"),
         (scene.settings.radiosity, "`radiosity` is not rendered"),
         (scene.settings.photons, "`photons` are not rendered"),
         (scene.settings.subsurface.is_some(), "`subsurface` light transport is not rendered"),
-        (turbulent, "the turbulence of `fog` is not rendered"),
     ];
     for (_, message) in left_out.into_iter().filter(|(present, _)| *present) {
         warnings.push(Diagnostic { span: None, ..Diagnostic::warning(Span::default(), message) });
