@@ -11,6 +11,16 @@ use std::rc::Rc;
 /// Most dimensions of an array.
 const MAX_DIMENSIONS: usize = 5;
 
+/// The element that an index means in a dimension of that size.
+pub(super) fn whole_index(index: f64, size: usize) -> Result<usize, String> {
+    let whole = (index + EPSILON).trunc();
+    // Down to -1 the truncation gives zero, but only a rounding error may lie below it.
+    if index < -EPSILON || whole.is_nan() || whole >= size as f64 {
+        return Err(format!("index {index} is outside of an array of size {size}"));
+    }
+    Ok(whole as usize)
+}
+
 impl Evaluator<'_> {
     /// Takes a declared name with its indices.
     pub(super) fn place(&mut self) -> SourceResult<Place> {
@@ -63,12 +73,10 @@ impl Evaluator<'_> {
     fn index(&mut self, size: usize) -> SourceResult<usize> {
         let span = self.span();
         let index = self.bracketed('[', "before an index", ']', "behind the index", Self::float)?;
-        let whole = (index + EPSILON).trunc();
-        // Down to -1 the truncation gives zero, but only a rounding error may lie below it.
-        if index < -EPSILON || whole.is_nan() || whole >= size as f64 {
-            return self.error(span, format!("index {index} is outside of an array of size {size}"));
+        match whole_index(index, size) {
+            Ok(index) => Ok(index),
+            Err(message) => self.error(span, message),
         }
-        Ok(whole as usize)
     }
 
     /// `array [n] … { initialiser }`, after its keyword.

@@ -6,15 +6,16 @@
 use super::Evaluator;
 use super::scope::TableId;
 use crate::diag::{Diagnostic, SourceResult, Span};
+use crate::syntax::formula::Formula;
 use crate::syntax::vectors::read_vector;
-use crate::syntax::{Directive, Names, Position, Source, Symbol, Token, TokenKind};
+use crate::syntax::{Directive, Names, Piece, Position, Source, Symbol, Token, TokenKind};
 use std::rc::Rc;
 
 /// A place in a source, and how far to go.
 #[derive(Debug)]
 pub(super) struct Cursor {
     pub(super) source: Rc<Source>,
-    tokens: Rc<[Token]>,
+    tokens: Option<Rc<Piece>>,
     piece: u32,
     index: usize,
     /// Tokens of this piece that belong to the cursor.
@@ -56,7 +57,7 @@ impl Cursor {
         let (start, end) = range;
         Self {
             source,
-            tokens: Rc::from([]),
+            tokens: None,
             // Nothing is loaded yet; the first step loads piece `start.piece`.
             piece: start.piece,
             index: start.index as usize,
@@ -83,7 +84,7 @@ impl Cursor {
     pub(super) fn jump(&mut self, to: Position, names: &mut Names) {
         self.run = None;
         self.index = to.index as usize;
-        if to.piece != self.piece || self.limit == 0 {
+        if to.piece != self.piece || self.tokens.is_none() {
             self.load(to.piece, names);
         }
     }
@@ -96,11 +97,25 @@ impl Cursor {
         let Some(tokens) = self.source.tokens(piece as usize, names) else { return false };
         self.piece = piece;
         self.limit = match self.end {
-            Some(end) if end.piece == piece => tokens.len().min(end.index as usize),
-            _ => tokens.len(),
+            Some(end) if end.piece == piece => tokens.tokens.len().min(end.index as usize),
+            _ => tokens.tokens.len(),
         };
-        self.tokens = tokens;
+        self.tokens = Some(tokens);
         true
+    }
+
+    /// The next token, where that takes no more than reading it.
+    #[inline]
+    pub(super) fn quick_step(&mut self) -> Option<&Token> {
+        if self.run.is_some() || self.index >= self.limit {
+            return None;
+        }
+        let token = &self.tokens.as_ref()?.tokens[self.index];
+        if matches!(token.kind, TokenKind::Vectors | TokenKind::Bad(_)) {
+            return None;
+        }
+        self.index += 1;
+        Some(token)
     }
 
     /// The next token; `None` at the end. For a literal vector its components go to `literal`.
@@ -109,15 +124,16 @@ impl Cursor {
             if let Some(token) = self.step_run(literal) {
                 return Some(token);
             }
-            if self.index < self.limit {
-                let token = self.tokens[self.index];
+            if self.index < self.limit
+                && let Some(piece) = &self.tokens
+            {
+                let token = piece.tokens[self.index];
                 self.index += 1;
                 if token.kind != TokenKind::Vectors {
                     return Some(token);
                 }
                 self.run = Some(Run { at: token.span.start as usize, end: token.span.end as usize, comma: false });
-            } else if self.limit == 0 && self.tokens.is_empty() {
-                // Not loaded yet, or an empty piece.
+            } else if self.tokens.is_none() {
                 let (piece, index) = (self.piece, self.index);
                 if !self.load(piece, names) {
                     return None;
@@ -170,6 +186,60 @@ impl Cursor {
         Some(token)
     }
 
+    /// The formula that begins with the held back token, or else with the next one, and the
+    /// index of its first token.
+    #[inline]
+    pub(super) fn formula(&self, held: Option<&Token>, full: bool) -> Option<(Rc<Formula>, usize)> {
+        let piece = self.tokens.as_ref()?;
+        if self.run.is_some() {
+            return None;
+        }
+        let start = match held {
+            None => self.index,
+            // What is held back may come from elsewhere: the end of a macro, say.
+            Some(held) => {
+                let before = self.index.checked_sub(1)?;
+                if piece.tokens.get(before)?.span != held.span {
+                    return None;
+                }
+                before
+            }
+        };
+        if start >= self.limit {
+            return None;
+        }
+        Some((piece.formula(start, full, self.source.text())?, start))
+    }
+
+    /// The formula that begins `n` tokens further on, and the index of its first token.
+    pub(super) fn formula_behind(&self, n: usize, full: bool) -> Option<(Rc<Formula>, usize)> {
+        let start = self.index + n;
+        let piece = self.tokens.as_ref()?;
+        (start < self.limit).then_some(())?;
+        Some((piece.formula(start, full, self.source.text())?, start))
+    }
+
+    /// The token `n` places further on, if it belongs to the current piece.
+    #[inline]
+    pub(super) fn upcoming(&self, n: usize) -> Option<TokenKind> {
+        let at = self.index + n;
+        if at >= self.limit || self.run.is_some() {
+            return None;
+        }
+        self.tokens.as_ref().map(|piece| piece.tokens[at].kind)
+    }
+
+    /// Goes past tokens of the current piece.
+    pub(super) fn skip_tokens(&mut self, n: usize) {
+        self.index += n;
+    }
+
+    /// Where a token of the current piece stands.
+    pub(super) fn span_of(&self, index: usize) -> Span {
+        let token = self.tokens.as_ref().and_then(|piece| piece.tokens.get(index));
+        token.map_or(Span { file: self.source.file, start: 0, end: 0 }, |t| t.span)
+    }
+
     /// Whether another literal vector of the current run follows.
     pub(super) fn more_vectors(&self) -> bool {
         self.run.is_some()
@@ -201,7 +271,18 @@ impl Cursor {
 
 impl Evaluator<'_> {
     /// The next token before directives and macros are looked at.
+    #[inline]
     pub(super) fn fetch(&mut self) -> SourceResult<Token> {
+        if let Some(cursor) = self.cursors.last_mut()
+            && let Some(token) = cursor.quick_step()
+        {
+            self.last_span = token.span;
+            return Ok(*token);
+        }
+        self.fetch_slowly()
+    }
+
+    fn fetch_slowly(&mut self) -> SourceResult<Token> {
         loop {
             let Some(cursor) = self.cursors.last_mut() else {
                 return Ok(Token { kind: TokenKind::End, span: self.last_span });

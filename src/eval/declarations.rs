@@ -28,6 +28,9 @@ enum Target {
 impl Evaluator<'_> {
     /// `#declare` and `#local`, after the word.
     pub(super) fn declaration(&mut self, local: bool) -> SourceResult<()> {
+        if self.declaration_formula(local)? {
+            return Ok(());
+        }
         let deprecated = self.deprecation()?;
         let (name, span) = self.new_name()?;
         let target = self.target(name, local, span)?;
@@ -184,6 +187,9 @@ impl Evaluator<'_> {
     }
 
     fn bare_argument(&mut self) -> SourceResult<Argument> {
+        if let Some(number) = self.formula_argument()? {
+            return self.colored(number).map(Argument::Value);
+        }
         let value = match self.fill(false)? {
             TokenKind::Name(name) => return self.identifier_argument(name),
             TokenKind::Keyword(Keyword::Array) => {

@@ -10,6 +10,7 @@
 use super::{Evaluator, Number, Value};
 use crate::diag::{SourceResult, Span};
 use crate::math::{DVec2, DVec3, DVec4};
+use crate::syntax::formula::Operator;
 use crate::syntax::{Keyword, Symbol, TokenKind};
 use smallvec::SmallVec;
 
@@ -36,7 +37,8 @@ impl Number {
         Self { n, v }
     }
 
-    fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+    /// Componentwise.
+    pub(super) fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
         for c in &mut self.v[..self.n as usize] {
             *c = f(*c);
         }
@@ -111,6 +113,9 @@ impl Evaluator<'_> {
 
     /// `( full expression )`, as a condition.
     pub(super) fn condition(&mut self) -> SourceResult<f64> {
+        if let Some(value) = self.condition_formula()? {
+            return Ok(value);
+        }
         self.bracketed('(', "before the condition", ')', "behind the condition", Self::full_float)
     }
 
@@ -143,6 +148,9 @@ impl Evaluator<'_> {
 
     /// Levels 1 to 7: with comparisons, logic and choice.
     pub(super) fn full(&mut self, n: u8) -> SourceResult<Number> {
+        if let Some(value) = self.formula(true, n)? {
+            return Ok(value);
+        }
         self.fill(false)?;
         let span = self.span();
         let chosen = self.logic(n)?;
@@ -168,15 +176,14 @@ impl Evaluator<'_> {
     fn logic(&mut self, n: u8) -> SourceResult<Number> {
         let mut left = self.comparison(n)?;
         loop {
-            let and = match self.fill(self.bare)? {
-                TokenKind::Punct('&') => true,
-                TokenKind::Punct('|') => false,
+            let operator = match self.fill(self.bare)? {
+                TokenKind::Punct('&') => Operator::And,
+                TokenKind::Punct('|') => Operator::Or,
                 _ => return Ok(left),
             };
             self.take();
             let right = self.comparison(n.max(left.n))?;
-            let join = |a, b| if and { truth(a) && truth(b) } else { truth(a) || truth(b) };
-            left = left.zip(right, |a, b| f64::from(join(a, b)));
+            left = left.zip(right, |a, b| operator.apply(a, b));
         }
     }
 
@@ -188,7 +195,7 @@ impl Evaluator<'_> {
         let mut left = self.arithmetic(n)?;
         while let Some(relation) = self.relation()? {
             let right = self.arithmetic(n.max(left.n))?;
-            left = left.zip(right, |a, b| f64::from(relation.holds(a, b)));
+            left = left.zip(right, |a, b| relation.apply(a, b));
         }
         Ok(left)
     }
@@ -200,18 +207,18 @@ impl Evaluator<'_> {
         };
         let right = self.string()?;
         let order = left.encode_utf16().cmp(right.encode_utf16());
-        Ok(f64::from(relation.holds(f64::from(order as i8), 0.0)))
+        Ok(relation.apply(f64::from(order as i8), 0.0))
     }
 
     /// Takes a comparison operator if there is one.
-    fn relation(&mut self) -> SourceResult<Option<Relation>> {
+    fn relation(&mut self) -> SourceResult<Option<Operator>> {
         let relation = match self.fill(self.bare)? {
-            TokenKind::Punct('<') => Relation::Less,
-            TokenKind::Punct('>') => Relation::Greater,
-            TokenKind::Punct('=') => Relation::Equal,
-            TokenKind::OrEqual('<') => Relation::AtMost,
-            TokenKind::OrEqual('>') => Relation::AtLeast,
-            TokenKind::OrEqual('!') => Relation::Differs,
+            TokenKind::Punct('<') => Operator::Less,
+            TokenKind::Punct('>') => Operator::Greater,
+            TokenKind::Punct('=') => Operator::Equal,
+            TokenKind::OrEqual('<') => Operator::AtMost,
+            TokenKind::OrEqual('>') => Operator::AtLeast,
+            TokenKind::OrEqual('!') => Operator::Differs,
             _ => return Ok(None),
         };
         self.take();
@@ -221,6 +228,13 @@ impl Evaluator<'_> {
     /// Levels 1 to 4: signs, components, `* / + -`.
     #[inline]
     pub(super) fn arithmetic(&mut self, n: u8) -> SourceResult<Number> {
+        if let Some(value) = self.formula(false, n)? {
+            return Ok(value);
+        }
+        self.arithmetic_by_tokens(n)
+    }
+
+    fn arithmetic_by_tokens(&mut self, n: u8) -> SourceResult<Number> {
         let first = self.term(n)?;
         self.sum_from(first, n)
     }
@@ -278,12 +292,17 @@ impl Evaluator<'_> {
 
     /// Division; by an exact zero it gives plus infinity, whatever the numerator.
     fn quotient(&mut self, left: Number, right: Number, span: Span) -> Number {
-        let quotient = left.zip(right, |a, b| if b == 0.0 { f64::INFINITY } else { a / b });
+        let quotient = left.zip(right, |a, b| Operator::Divide.apply(a, b));
         let n = quotient.n;
         if right.widened(n).v[..n as usize].contains(&0.0) {
-            self.warn_here("division", span, "division by zero; the result is taken to be infinite");
+            self.warn_division(span);
         }
         quotient
+    }
+
+    /// A component was divided by an exact zero.
+    pub(super) fn warn_division(&mut self, span: Span) {
+        self.warn_here("division", span, "division by zero; the result is taken to be infinite");
     }
 
     /// An operand with its signs and component, widened.
@@ -456,30 +475,5 @@ impl Evaluator<'_> {
     /// `hollow`, `hollow on`, `hollow F`: on unless a float says otherwise.
     pub fn optional_bool(&mut self) -> SourceResult<bool> {
         Ok(!self.starts_expression()? || self.float()? > 0.0)
-    }
-}
-
-/// A comparison; see language facts, section 5, for where the tolerance counts.
-#[derive(Clone, Copy, Debug)]
-enum Relation {
-    Less,
-    AtMost,
-    Equal,
-    Differs,
-    AtLeast,
-    Greater,
-}
-
-impl Relation {
-    fn holds(self, a: f64, b: f64) -> bool {
-        match self {
-            Self::Less => a < b,
-            Self::AtMost => a <= b + EPSILON,
-            // So NaN and equal infinities count as equal.
-            Self::Equal => !Self::Differs.holds(a, b),
-            Self::Differs => (a - b).abs() > EPSILON,
-            Self::AtLeast => a + EPSILON >= b,
-            Self::Greater => a > b,
-        }
     }
 }

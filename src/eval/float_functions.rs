@@ -2,7 +2,7 @@
 
 use super::expressions::truth;
 use super::{Evaluator, Number, Value};
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Span};
 use crate::syntax::{Keyword, TokenKind};
 
 /// Truncation to a signed 32-bit integer; what does not fit, and NaN, gives the smallest one.
@@ -79,7 +79,7 @@ fn constant(keyword: Keyword) -> Option<f64> {
 }
 
 /// Functions of one float without a case of their own.
-fn one_argument(keyword: Keyword) -> Option<fn(f64) -> f64> {
+pub(super) fn one_argument(keyword: Keyword) -> Option<fn(f64) -> f64> {
     Some(match keyword {
         Keyword::Abs => f64::abs,
         Keyword::Ceil => f64::ceil,
@@ -102,7 +102,66 @@ fn one_argument(keyword: Keyword) -> Option<fn(f64) -> f64> {
     })
 }
 
+/// A result, or a complaint with the value to go on with if there is one.
+pub(super) type Partial = Result<f64, (String, Option<f64>)>;
+
+/// Functions of one float that are not defined everywhere.
+pub(super) fn within_bounds(keyword: Keyword, a: f64) -> Partial {
+    let clamped = a.clamp(-1.0, 1.0);
+    let inverse = || if keyword == Keyword::Acos { clamped.acos() } else { clamped.asin() };
+    match keyword {
+        Keyword::Sqrt if a < 0.0 => Err((format!("square root of the negative number {a}"), None)),
+        Keyword::Sqrt => Ok(a.sqrt()),
+        Keyword::Ln | Keyword::Log if a <= 0.0 => Err((format!("logarithm of {a}, which is not positive"), None)),
+        Keyword::Ln => Ok(a.ln()),
+        Keyword::Log => Ok(a.log10()),
+        _ if a.abs() > 1.0 => {
+            Err((format!("{}({a}) is taken at the nearer end of [-1, 1]", keyword.word()), Some(inverse())))
+        }
+        _ => Ok(inverse()),
+    }
+}
+
+/// Functions of two floats.
+pub(super) fn two_arguments(keyword: Keyword, a: f64, b: f64) -> Partial {
+    match keyword {
+        Keyword::Pow if a == 0.0 && b == 0.0 => Err(("pow(0, 0) is not defined".to_owned(), None)),
+        Keyword::Pow => Ok(a.powf(b)),
+        Keyword::Atan2 if !truth(a) && !truth(b) => Err(("atan2(0, 0) is not defined".to_owned(), None)),
+        Keyword::Atan2 => Ok(a.atan2(b)),
+        Keyword::Div => Ok(f64::from(int32(a / b))),
+        _ => Ok(a % b),
+    }
+}
+
+/// `max`.
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().reduce(|a, b| if b > a { b } else { a }).unwrap_or(0.0)
+}
+
+/// `min`.
+pub(super) fn smallest(values: &[f64]) -> f64 {
+    values.iter().copied().reduce(|a, b| if b < a { b } else { a }).unwrap_or(0.0)
+}
+
+/// `select(a, less, equal, greater)`; without the last one, greater is as equal.
+pub(super) fn selected(values: &[f64]) -> f64 {
+    let (a, last) = (values[0], values.len() - 1);
+    values[if a < 0.0 {
+        1
+    } else if a == 0.0 {
+        2
+    } else {
+        last
+    }]
+}
+
 impl Evaluator<'_> {
+    /// `rand` of something that is no stream.
+    pub(super) fn no_stream<T>(&self, span: Span) -> SourceResult<T> {
+        self.error(span, "there is no such random stream; seed() gives their numbers")
+    }
+
     /// The value of a built-in constant or function call; `None`, and nothing taken, for other words.
     pub(super) fn built_in(&mut self, keyword: Keyword) -> SourceResult<Option<Number>> {
         if let Some(value) = constant(keyword) {
@@ -137,15 +196,19 @@ impl Evaluator<'_> {
                 let stream = self.one_float()?;
                 match self.random.next(stream) {
                     Some(value) => value,
-                    None => return self.error(span, "there is no such random stream; seed() gives their numbers"),
+                    None => return self.no_stream(span),
                 }
             }
             Keyword::Acos | Keyword::Asin | Keyword::Ln | Keyword::Log | Keyword::Sqrt => {
-                self.bounded_function(keyword)?
+                let argument = self.one_float()?;
+                self.settle(within_bounds(keyword, argument), span)?
             }
-            Keyword::Pow | Keyword::Atan2 | Keyword::Div | Keyword::Mod => self.two_argument_function(keyword)?,
-            Keyword::Max => self.listed_floats()?.into_iter().reduce(|a, b| if b > a { b } else { a }).unwrap_or(0.0),
-            Keyword::Min => self.listed_floats()?.into_iter().reduce(|a, b| if b < a { b } else { a }).unwrap_or(0.0),
+            Keyword::Pow | Keyword::Atan2 | Keyword::Div | Keyword::Mod => {
+                let [a, b] = self.floats()?;
+                self.settle(two_arguments(keyword, a, b), span)?
+            }
+            Keyword::Max => largest(&self.listed_floats()?),
+            Keyword::Min => smallest(&self.listed_floats()?),
             Keyword::BitwiseAnd => self.bitwise(|a, b| a & b)?,
             Keyword::BitwiseOr => self.bitwise(|a, b| a | b)?,
             Keyword::BitwiseXor => self.bitwise(|a, b| a ^ b)?,
@@ -169,42 +232,15 @@ impl Evaluator<'_> {
         Ok(Some(Number::scalar(value)))
     }
 
-    /// Functions of one float that are not defined everywhere.
-    fn bounded_function(&mut self, keyword: Keyword) -> SourceResult<f64> {
-        let span = self.last_span;
-        let a = self.one_float()?;
-        match keyword {
-            Keyword::Sqrt if a < 0.0 => self.error(span, format!("square root of the negative number {a}")),
-            Keyword::Sqrt => Ok(a.sqrt()),
-            Keyword::Ln | Keyword::Log if a <= 0.0 => {
-                self.error(span, format!("logarithm of {a}, which is not positive"))
+    /// The result of a function that is not defined everywhere, or its complaint.
+    pub(super) fn settle(&mut self, result: Partial, span: Span) -> SourceResult<f64> {
+        match result {
+            Ok(value) => Ok(value),
+            Err((message, None)) => self.error(span, message),
+            Err((message, Some(value))) => {
+                self.warn_here("domain", span, message);
+                Ok(value)
             }
-            Keyword::Ln => Ok(a.ln()),
-            Keyword::Log => Ok(a.log10()),
-            _ => {
-                if a.abs() > 1.0 {
-                    self.warn_here(
-                        "domain",
-                        span,
-                        format!("{}({a}) is taken at the nearer end of [-1, 1]", keyword.word()),
-                    );
-                }
-                let clamped = a.clamp(-1.0, 1.0);
-                Ok(if keyword == Keyword::Acos { clamped.acos() } else { clamped.asin() })
-            }
-        }
-    }
-
-    fn two_argument_function(&mut self, keyword: Keyword) -> SourceResult<f64> {
-        let span = self.last_span;
-        let [a, b] = self.floats()?;
-        match keyword {
-            Keyword::Pow if a == 0.0 && b == 0.0 => self.error(span, "pow(0, 0) is not defined"),
-            Keyword::Pow => Ok(a.powf(b)),
-            Keyword::Atan2 if !truth(a) && !truth(b) => self.error(span, "atan2(0, 0) is not defined"),
-            Keyword::Atan2 => Ok(a.atan2(b)),
-            Keyword::Div => Ok(f64::from(int32(a / b))),
-            _ => Ok(a % b),
         }
     }
 
@@ -222,13 +258,7 @@ impl Evaluator<'_> {
             e.comma()?;
             let equal = e.float()?;
             let greater = if e.accept_punct(',')? { e.float()? } else { equal };
-            Ok(if a < 0.0 {
-                less
-            } else if a == 0.0 {
-                equal
-            } else {
-                greater
-            })
+            Ok(selected(&[a, less, equal, greater]))
         })
     }
 

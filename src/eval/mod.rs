@@ -1,10 +1,10 @@
 //! Tokens to scene: scopes, directives, macros, expressions.
 //!
-//! The evaluator pulls tokens from a stack of [cursors](cursor) and runs every directive
+//! The evaluator pulls tokens from a stack of cursors and runs every directive
 //! and macro call it meets on the way, so a block parser sees only what is left: the
 //! scene as it would stand without any directive. One token is held back; the
 //! rule for where a directive waits until the value before it is complete
-//! (language facts, section 15) is the `hold` argument of [`Evaluator::fill`].
+//! (language facts, section 15) is the `hold` argument of `Evaluator::fill`.
 //!
 //! It touches no disk and prints nothing: everything outside comes through [`Host`].
 //!
@@ -28,6 +28,7 @@ mod disk;
 mod expressions;
 mod files;
 mod float_functions;
+mod formulas;
 mod geometry_functions;
 mod host;
 mod includes;

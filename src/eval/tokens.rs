@@ -37,7 +37,9 @@ impl Evaluator<'_> {
                     continue;
                 }
                 TokenKind::Name(name) => {
-                    if let Some(called) = self.macro_named(name) {
+                    if self.names_macro(name)
+                        && let Some(called) = self.macro_named(name)
+                    {
                         self.call_macro(&called, token.span)?;
                         continue;
                     }
@@ -60,6 +62,11 @@ impl Evaluator<'_> {
         self.ahead = Some(token);
         debug_assert!(matches!(self.open_blocks.last().map(|b| &b.kind), Some(BlockKind::Switch { .. })));
         self.expected("#case or #range after #switch")
+    }
+
+    #[inline]
+    fn names_macro(&self, name: Symbol) -> bool {
+        self.scopes.find(name).is_some_and(|place| matches!(&*place.slot.borrow(), Value::Macro(_)))
     }
 
     /// The macro of that name.

@@ -1,7 +1,8 @@
 //! One file as tokens, made when they are needed and kept while they are useful.
 
+use super::formula::{self, Formula};
 use super::lexer::tokenise;
-use super::pieces::{Piece, next_piece};
+use super::pieces::{self, next_piece};
 use super::{Directive, Names, Token, TokenKind};
 use crate::diag::FileId;
 use rustc_hash::FxHashMap;
@@ -31,10 +32,63 @@ pub struct Source {
     parsed: RefCell<Parsed>,
 }
 
+/// The tokens of one piece of a file, and the formulas found among them.
+#[derive(Debug)]
+pub struct Piece {
+    /// The tokens.
+    pub tokens: Box<[Token]>,
+    formulas: RefCell<Formulas>,
+}
+
+#[derive(Debug, Default)]
+struct Formulas {
+    /// For each token, without and with comparisons: what is known of the expression there.
+    known: Vec<[u16; 2]>,
+    list: Vec<Rc<Formula>>,
+}
+
+/// Nothing is known of the expression yet.
+const UNSEEN: u16 = 0;
+/// It was met once.
+const SEEN: u16 = 1;
+/// It is no formula.
+const NONE: u16 = 2;
+/// Greater numbers count the formulas.
+const FIRST: u16 = 3;
+
+impl Piece {
+    /// The formula that starts at a token, from the second time it is asked for.
+    #[inline]
+    pub fn formula(&self, start: usize, full: bool, text: &[u8]) -> Option<Rc<Formula>> {
+        let formulas = &mut *self.formulas.borrow_mut();
+        if formulas.known.is_empty() {
+            formulas.known = vec![[UNSEEN; 2]; self.tokens.len()];
+        }
+        let known = &mut formulas.known.get_mut(start)?[usize::from(full)];
+        match *known {
+            UNSEEN => *known = SEEN,
+            SEEN => {
+                let parsed = formula::parse(&self.tokens[start..], text, full);
+                *known = NONE;
+                if let (Some(parsed), Ok(index)) = (parsed, u16::try_from(formulas.list.len()))
+                    && index < u16::MAX - FIRST
+                {
+                    *known = FIRST + index;
+                    formulas.list.push(Rc::new(parsed));
+                    return formulas.list.last().cloned();
+                }
+            }
+            NONE => {}
+            number => return formulas.list.get(usize::from(number - FIRST)).cloned(),
+        }
+        None
+    }
+}
+
 #[derive(Debug, Default)]
 struct Parsed {
-    pieces: Vec<Piece>,
-    tokens: Vec<Option<Rc<[Token]>>>,
+    pieces: Vec<pieces::Piece>,
+    tokens: Vec<Option<Rc<Piece>>>,
     kept: VecDeque<usize>,
     /// Where the branch that starts at a position ends.
     branch_ends: FxHashMap<Position, (Position, Directive)>,
@@ -52,7 +106,7 @@ impl Source {
     }
 
     /// The tokens of piece number `index`; `None` past the end of the file.
-    pub fn tokens(&self, index: usize, names: &mut Names) -> Option<Rc<[Token]>> {
+    pub fn tokens(&self, index: usize, names: &mut Names) -> Option<Rc<Piece>> {
         let parsed = &mut *self.parsed.borrow_mut();
         if let Some(Some(tokens)) = parsed.tokens.get(index) {
             return Some(Rc::clone(tokens));
@@ -62,7 +116,8 @@ impl Source {
             parsed.pieces.push(next_piece(&self.text, start)?);
             parsed.tokens.push(None);
         }
-        let tokens: Rc<[Token]> = tokenise(self.file, &self.text, parsed.pieces[index], names).into();
+        let tokens = tokenise(self.file, &self.text, parsed.pieces[index], names).into();
+        let tokens = Rc::new(Piece { tokens, formulas: RefCell::default() });
         parsed.tokens[index] = Some(Rc::clone(&tokens));
         parsed.kept.push_back(index);
         if parsed.kept.len() > KEPT_PIECES
@@ -84,7 +139,7 @@ impl Source {
         }
         let (mut at, mut depth) = (start, 0_usize);
         while let Some(tokens) = self.tokens(at.piece as usize, names) {
-            for token in &tokens[(at.index as usize).min(tokens.len())..] {
+            for token in &tokens.tokens[(at.index as usize).min(tokens.tokens.len())..] {
                 at.index += 1;
                 match token.kind {
                     TokenKind::Directive(d) if d.opens_block() => depth += 1,
