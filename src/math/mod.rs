@@ -11,6 +11,7 @@
 mod bounds;
 mod color;
 mod error_bound;
+mod mersenne_twister;
 pub mod noise;
 mod noise_table;
 mod ray;
@@ -21,6 +22,7 @@ pub use bounds::Bounds;
 pub use color::{Color, Rgb, gray};
 pub use error_bound::{dot_error, gamma, transformed_point_error};
 pub use glam::{DMat3, DVec2, DVec3, DVec4};
+pub use mersenne_twister::MersenneTwister;
 pub use ray::{Range, Ray};
 pub use roots::{MAX_DEGREE, Roots, discriminant, quadratic_roots, root_bound, roots_in};
 pub use transform::{SingularMatrix, Transform};

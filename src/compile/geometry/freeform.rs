@@ -3,9 +3,11 @@
 use super::builder::Builder;
 use super::looks::Context;
 use super::primitive::Folded;
-use crate::compiled::geometry::{Mesh, MeshData, MeshTree, Shape as Compiled};
+use super::sweep;
+use crate::compiled::geometry::{Blob, BlobPart, Core, HeightField, Mesh, MeshData, MeshTree, Shape as Compiled};
 use crate::diag::Diagnostic;
-use crate::scene::{self, Object, Shape};
+use crate::math::{DVec3, Transform};
+use crate::scene::{self, BicubicPatch, Object, Shape};
 use std::sync::Arc;
 
 /// Converts a freeform shape: `None` if it is not one, `Some(None)` if nothing of it shows or
@@ -13,14 +15,24 @@ use std::sync::Arc;
 pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Context) -> Option<Option<Folded>> {
     let unsupported = match &object.shape {
         Shape::Mesh(mesh) => return Some(Some(convert_mesh(builder, mesh, inside))),
-        Shape::HeightField(_) => "height_field",
-        Shape::Blob(_) => "blob",
-        Shape::BicubicPatch(_) => "bicubic_patch",
-        Shape::Prism(_) => "prism",
-        Shape::Lathe { .. } => "lathe",
-        Shape::Sor { .. } => "sor",
+        Shape::HeightField(field) => return Some(convert_height_field(builder, field, object, inside)),
+        Shape::Blob(blob) => return Some(Some(convert_blob(builder, blob, inside))),
+        Shape::BicubicPatch(patch) => return Some(Some(convert_patch(patch, inside))),
+        Shape::Prism(prism) => return Some(sweep::prism(prism).map(|shape| placed(shape, inside.group_from_parent))),
+        Shape::Lathe { spline, points, .. } => {
+            return Some(Some(placed(sweep::lathe(*spline, points), inside.group_from_parent)));
+        }
+        Shape::Sor { points, open, .. } => {
+            return Some(Some(placed(sweep::sor(points, *open), inside.group_from_parent)));
+        }
+        Shape::Text(text) => match super::text::text(text) {
+            Ok((shape, upright)) => return Some(Some(placed(shape, upright.then(&inside.group_from_parent)))),
+            Err(message) => {
+                builder.errors.push(Diagnostic::error(object.span, message));
+                return Some(None);
+            }
+        },
         Shape::SphereSweep { .. } => "sphere_sweep",
-        Shape::Text(_) => "text",
         Shape::Isosurface(_) => "isosurface",
         Shape::Parametric(_) => "parametric",
         Shape::JuliaFractal(_) => "julia_fractal",
@@ -33,6 +45,75 @@ pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Conte
     };
     builder.errors.push(Diagnostic::error(object.span, format!("`{unsupported}` is not supported yet")));
     Some(None)
+}
+
+/// A shape with its transform left as it is.
+fn placed(shape: Compiled, place: Transform) -> Folded {
+    Folded { shape, group_from_local: (!place.is_identity()).then_some(place), uv_from_group: None }
+}
+
+/// A height field, whose grid all its copies share.
+fn convert_height_field(
+    builder: &mut Builder<'_>,
+    field: &Arc<scene::HeightField>,
+    object: &Object,
+    inside: &Context,
+) -> Option<Folded> {
+    let grid = match builder.height_grids.get(&Arc::as_ptr(field)) {
+        Some(grid) => Arc::clone(grid),
+        None => match super::height_field::height_grid(field) {
+            Ok(grid) => {
+                let grid = Arc::new(grid?);
+                builder.height_grids.insert(Arc::as_ptr(field), Arc::clone(&grid));
+                grid
+            }
+            Err(message) => {
+                builder.errors.push(Diagnostic::error(object.span, message));
+                return None;
+            }
+        },
+    };
+    let unit = DVec3::new(1.0 / (grid.width - 1) as f64, 1.0 / 65536.0, 1.0 / (grid.depth - 1) as f64);
+    let place = Transform::scaling(unit).then(&inside.group_from_parent);
+    Some(placed(Compiled::HeightField(HeightField { grid }), place))
+}
+
+/// A blob; cylinders come apart into a tube and two half balls.
+fn convert_blob(builder: &mut Builder<'_>, blob: &scene::Blob, inside: &Context) -> Folded {
+    let mut parts = Vec::new();
+    for component in &blob.components {
+        let texture = component.texture.as_ref().map(|t| (builder.texture(&t.texture), t.transform.inverse()));
+        let mut add = |core: Core, place: &Transform| {
+            parts.push(BlobPart {
+                core,
+                radius: component.radius,
+                strength: component.strength,
+                blob_from_part: place.then(&component.transform),
+                texture,
+            });
+        };
+        let [a, b] = component.ends;
+        let length = a.distance(b);
+        if component.is_cylinder && length > 0.0 {
+            let axis = (b - a) / length;
+            let (x, y) = axis.any_orthonormal_pair();
+            let Ok(place) = Transform::from_columns(x, y, axis, a) else { continue };
+            for core in [Core::Axis(length), Core::Start, Core::End(length)] {
+                add(core, &place);
+            }
+        } else {
+            add(Core::Point, &Transform::translation(a));
+        }
+    }
+    parts.retain(|p| p.radius != 0.0 && p.strength != 0.0);
+    placed(Compiled::Blob(Blob { parts: parts.into(), threshold: blob.threshold }), inside.group_from_parent)
+}
+
+/// A patch as triangles, moved first: its flatness is measured in the world.
+fn convert_patch(patch: &BicubicPatch, inside: &Context) -> Folded {
+    let points = patch.points.map(|row| row.map(|p| inside.group_from_parent.point(p)));
+    let tree = Arc::new(MeshTree::new(super::patch::tessellate(patch, &points)));
+    placed(Compiled::Mesh(Mesh { tree, inside_vector: None }), Transform::IDENTITY)
 }
 
 /// A mesh, whose hierarchy all its copies share.

@@ -3,11 +3,19 @@
 mod builder;
 mod census;
 mod freeform;
+mod height_field;
 mod lights;
 mod looks;
+mod patch;
 mod primitive;
+mod sweep;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_freeform;
+#[cfg(test)]
+mod tests_properties;
+mod text;
 
 use crate::compiled::geometry::{Geometry, Group, LightGroupId};
 use crate::diag::{Diagnostic, SourceResult, Span};

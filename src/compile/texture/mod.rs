@@ -8,11 +8,12 @@ mod normal;
 mod pattern;
 mod picture;
 
-use crate::compiled::texture::{Blend, Layer, PatternedTexture, Pigment, Texture};
+use crate::compiled::texture::{Blend, Layer, PatternedTexture, Pigment, Texture, WaveSources};
 use crate::math::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{self, PigmentKind, Settings};
 use picture::PictureCache;
+use std::sync::Arc;
 
 /// Why a texture cannot be compiled, in one sentence without a full stop.
 pub type Refusal = String;
@@ -22,12 +23,14 @@ pub type Refusal = String;
 pub struct TextureCompiler<'s> {
     settings: &'s Settings,
     pictures: PictureCache,
+    /// Sources of ripples and waves, made when first asked for.
+    waves: Option<Arc<WaveSources>>,
 }
 
 impl<'s> TextureCompiler<'s> {
     /// For a scene with these settings.
     pub fn new(settings: &'s Settings) -> Self {
-        Self { settings, pictures: PictureCache::default() }
+        Self { settings, pictures: PictureCache::default(), waves: None }
     }
 
     /// Compiles a texture with everything below it.

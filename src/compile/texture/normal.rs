@@ -2,7 +2,7 @@
 
 use super::pattern::mapping_of;
 use super::{Refusal, TextureCompiler};
-use crate::compiled::texture::{Blend, Normal, NormalKind};
+use crate::compiled::texture::{Blend, Facets, Normal, NormalKind};
 use crate::math::DMat3;
 use crate::scene;
 
@@ -32,7 +32,11 @@ impl TextureCompiler<'_> {
                 let linear = pattern.linear();
                 (NormalKind::BumpMap(pattern, raster, mapping_of(&picture.1)), linear)
             }
-            scene::NormalKind::Facets { .. } => return Err("the normal `facets` is not supported yet".into()),
+            scene::NormalKind::Facets { pattern, coords, size, metric } => {
+                let pattern = self.pattern(pattern)?;
+                let linear = pattern.linear();
+                (NormalKind::Facets(pattern, Facets { coords: *coords, size: *size, metric: *metric }), linear)
+            }
         };
         let compiled = Normal {
             kind,

@@ -1,8 +1,14 @@
 //! Patterns: warps in the order in which a point passes them, formulas with folded constants.
 
 use super::{Refusal, TextureCompiler};
-use crate::compiled::texture::{Pattern, PatternKind, Warp, Wave};
+use crate::compile::geometry::compile_object;
+use crate::compiled::geometry::Geometry;
+use crate::compiled::texture::{
+    Around, BlackHole, Coloring, Crackle, DensityFile, Fractal, FractalSet, InnerTurbulence, Pattern, PatternKind,
+    Pavement, Slope, SlopeAxis, Tiling, Warp, Wave, WaveSources,
+};
 use crate::math::DVec3;
+use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::scene;
 use std::sync::Arc;
 
@@ -13,12 +19,14 @@ impl TextureCompiler<'_> {
     /// As [`texture`](Self::texture).
     pub fn pattern(&mut self, pattern: &scene::Pattern) -> Result<Pattern, Refusal> {
         let warps = pattern.warps.iter().rev().filter(|w| !is_identity(w));
-        let mut warps = warps.map(warp).collect::<Result<Vec<_>, _>>()?;
+        let mut warps: Vec<Warp> = warps.map(warp).collect();
         let kind = self.kind(pattern)?;
+        // Marble and wood take the turbulence into their formula; all others move the point.
         if let Some(turbulence) = &pattern.turbulence
             && turbulence.amount != DVec3::ZERO
+            && !matches!(kind, PatternKind::Marble(_) | PatternKind::Wood(_))
         {
-            warps.push(warp(&scene::Warp::Turbulence(*turbulence))?);
+            warps.push(warp(&scene::Warp::Turbulence(*turbulence)));
         }
         Ok(Pattern {
             kind,
@@ -31,32 +39,152 @@ impl TextureCompiler<'_> {
 
     fn kind(&mut self, pattern: &scene::Pattern) -> Result<PatternKind, Refusal> {
         use scene::PatternKind as S;
+        let generator = self.generator(pattern);
+        let inner = || {
+            let t = pattern.turbulence.filter(|t| t.amount != DVec3::ZERO)?;
+            Some(Box::new(InnerTurbulence { amount: t.amount, octaves: octaves(&t), generator }))
+        };
         Ok(match &pattern.kind {
             S::None | S::Average => PatternKind::None,
+            S::Agate { turbulence } => PatternKind::Agate {
+                generator,
+                octaves: octaves(&pattern.turbulence.unwrap_or_default()),
+                amount: f64::from(*turbulence),
+            },
+            S::Aoi => PatternKind::Aoi,
             S::Boxed => PatternKind::Boxed,
+            S::Bozo | S::Spotted => PatternKind::Bozo(generator),
+            S::Bumps => PatternKind::Bumps(generator),
             // POV-Ray takes twice its border offset off the mortar.
             S::Brick { size, mortar } => {
                 PatternKind::Brick { size: *size, mortar: f64::from((f64::from(*mortar) - 2e-10) as f32) }
             }
+            S::Cells => PatternKind::Cells,
             S::Checker => PatternKind::Checker,
+            S::Crackle { form, metric, offset, solid } => PatternKind::Crackle(Box::new(Crackle {
+                form: *form,
+                metric: *metric,
+                offset: *offset,
+                solid: solid.then_some(generator),
+            })),
             S::Cubic => PatternKind::Cubic,
             S::Cylindrical => PatternKind::Cylindrical,
+            S::DensityFile { interpolation, data, .. } => {
+                PatternKind::Density(Arc::new(DensityFile::new(data, *interpolation)?))
+            }
+            S::Dents => PatternKind::Dents(generator),
             S::Function(function) => PatternKind::Function(Arc::clone(function)),
-            S::Gradient(direction) => PatternKind::Gradient(direction.normalize()),
+            S::Gradient(direction) => PatternKind::Gradient(direction.normalize_or_zero()),
+            S::Granite => PatternKind::Granite(generator),
             S::Hexagon => PatternKind::Hexagon,
             S::Image(picture) => PatternKind::Image(self.value_picture(&picture.0)?, mapping_of(&picture.1)),
+            S::Julia { .. } | S::Magnet { .. } | S::Mandel { .. } => {
+                PatternKind::Fractal(Box::new(fractal(&pattern.kind)?))
+            }
             S::Leopard => PatternKind::Leopard,
+            S::Marble => PatternKind::Marble(inner()),
             S::Material(picture) => PatternKind::Material(self.value_picture(&picture.0)?, mapping_of(&picture.1), 0),
+            S::Object(object) => PatternKind::Object(Arc::new(solid(object)?)),
             S::Onion => PatternKind::Onion,
+            S::Pavement { sides, tiles, pattern, interior, exterior, form } => {
+                let pavement = Pavement::new(*sides, *tiles, *pattern, [*interior, *exterior, *form]);
+                let wanted =
+                    || format!("there is no pavement of {tiles} tiles with {sides} sides in pattern {pattern}");
+                PatternKind::Pavement(pavement.ok_or_else(wanted)?)
+            }
             S::Pigment(pigment) => PatternKind::Pigment(Arc::new(self.pigment(pigment)?)),
             S::Planar => PatternKind::Planar,
+            S::Quilted { control0, control1 } => PatternKind::Quilted([f64::from(*control0), f64::from(*control1)]),
             S::Radial => PatternKind::Radial,
+            S::Ripples => PatternKind::Ripples(self.wave_sources()),
+            S::Slope { direction, low, high, altitude } => {
+                PatternKind::Slope(Box::new(slope(direction, [*low, *high], altitude)?))
+            }
             S::Spherical => PatternKind::Spherical,
+            S::Spiral1(arms) => PatternKind::Spiral1(f64::from(*arms), inner()),
+            S::Spiral2(arms) => PatternKind::Spiral2(f64::from(*arms), inner()),
             S::Square => PatternKind::Square,
+            S::Tiling(n) => {
+                let tiling = Tiling::new(*n).ok_or_else(|| format!("there is no tiling {n}"))?;
+                PatternKind::Tiling(Arc::new(tiling))
+            }
             S::Triangular => PatternKind::Triangular,
-            other => return Err(format!("the pattern `{}` is not supported yet", name(other))),
+            S::Waves => PatternKind::Waves(self.wave_sources()),
+            S::Wood => PatternKind::Wood(inner()),
+            S::Wrinkles => PatternKind::Wrinkles(generator),
         })
     }
+
+    /// The pattern's own noise generator, or the scene's.
+    fn generator(&self, pattern: &scene::Pattern) -> NoiseGenerator {
+        match pattern.noise_generator.unwrap_or(self.settings.noise_generator()) {
+            1 => NoiseGenerator::Original,
+            3 => NoiseGenerator::Perlin,
+            _ => NoiseGenerator::Corrected,
+        }
+    }
+
+    fn wave_sources(&mut self) -> Arc<WaveSources> {
+        Arc::clone(self.waves.get_or_insert_with(|| Arc::new(WaveSources::new(self.settings.number_of_waves))))
+    }
+}
+
+/// The object of an object pattern.
+fn solid(object: &Arc<scene::Object>) -> Result<Geometry, Refusal> {
+    compile_object(object).map_err(|errors| match errors.into_iter().next() {
+        Some(error) => format!("in an object pattern: {}", error.message),
+        None => "this object cannot serve as a pattern".into(),
+    })
+}
+
+fn octaves(t: &scene::Turbulence) -> Octaves {
+    Octaves { count: t.octaves, lambda: t.lambda, omega: t.omega }
+}
+
+fn fractal(kind: &scene::PatternKind) -> Result<Fractal, Refusal> {
+    use scene::PatternKind as S;
+    let coloring = |c: &scene::FractalColoring| Coloring { kind: c.kind, factor: c.factor };
+    let (set, exponent, iterations, exterior, interior) = match kind {
+        S::Julia { c, iterations, exponent, exterior, interior } => {
+            (FractalSet::Julia((*c).into()), *exponent, iterations, exterior, interior)
+        }
+        S::Mandel { iterations, exponent, exterior, interior } => {
+            (FractalSet::Mandel, *exponent, iterations, exterior, interior)
+        }
+        S::Magnet { kind, c, iterations, exterior, interior } => {
+            let model = *kind as u8;
+            let set = match c {
+                Some(c) => FractalSet::MagnetJulia(model, (*c).into()),
+                None => FractalSet::MagnetMandel(model),
+            };
+            (set, 2, iterations, exterior, interior)
+        }
+        _ => return Err("this pattern is no fractal".into()),
+    };
+    let (exterior, interior) = (coloring(exterior), coloring(interior));
+    Ok(Fractal { set, exponent, iterations: *iterations, exterior, interior })
+}
+
+fn slope(
+    direction: &scene::SlopeDirection,
+    range: [f64; 2],
+    altitude: &Option<(DVec3, f64, f64)>,
+) -> Result<Slope, Refusal> {
+    let (axis, length) = match direction {
+        scene::SlopeDirection::Vector(v) => (SlopeAxis::Direction(v.normalize_or_zero()), v.length()),
+        scene::SlopeDirection::PointAt(q) => (SlopeAxis::Towards(*q), 1.0),
+    };
+    let altitude = match altitude {
+        None => None,
+        Some((up, low, high)) => {
+            let total = length + up.length();
+            if total == 0.0 {
+                return Err("slope and altitude must not both be zero vectors".into());
+            }
+            Some((length / total, up.normalize_or_zero(), [*low, *high]))
+        }
+    };
+    Ok(Slope { axis, range, altitude })
 }
 
 pub(super) fn mapping_of(mapping: &scene::ImageMapping) -> crate::compiled::texture::Mapping {
@@ -81,29 +209,56 @@ fn is_identity(warp: &scene::Warp) -> bool {
     matches!(warp, scene::Warp::Transform(t) if t.is_identity())
 }
 
-fn warp(warp: &scene::Warp) -> Result<Warp, Refusal> {
-    Ok(match warp {
-        scene::Warp::Transform(t) => Warp::Affine(t.inverse()),
-        scene::Warp::Repeat { axis, width, offset, flip } => Warp::Repeat {
+fn warp(warp: &scene::Warp) -> Warp {
+    use scene::Warp as S;
+    let around = |shape, orientation: &DVec3, dist_exp: &f64| Warp::Around {
+        shape,
+        orientation: *orientation,
+        dist_exp: *dist_exp,
+    };
+    match warp {
+        S::Transform(t) => Warp::Affine(t.inverse()),
+        S::Repeat { axis, width, offset, flip } => Warp::Repeat {
             axis: *axis,
             width: *width,
             offset: *offset,
             flip: [flip.x != 0.0, flip.y != 0.0, flip.z != 0.0],
         },
-        other => {
-            let name = match other {
-                scene::Warp::Turbulence(_) => "turbulence",
-                scene::Warp::BlackHole(_) => "black_hole",
-                scene::Warp::Cylindrical { .. } => "cylindrical",
-                scene::Warp::Spherical { .. } => "spherical",
-                scene::Warp::Toroidal { .. } => "toroidal",
-                scene::Warp::Planar { .. } => "planar",
-                scene::Warp::Cubic => "cubic",
-                _ => "this kind of",
-            };
-            return Err(format!("`{name}` as a warp is not supported yet"));
+        S::Turbulence(t) => Warp::Turbulence { amount: t.amount, octaves: octaves(t) },
+        S::BlackHole(hole) => black_hole(hole),
+        S::Cylindrical { orientation, dist_exp } => around(Around::Cylinder, orientation, dist_exp),
+        S::Spherical { orientation, dist_exp } => around(Around::Sphere, orientation, dist_exp),
+        S::Toroidal { orientation, dist_exp, major_radius } => {
+            around(Around::Torus(*major_radius), orientation, dist_exp)
         }
-    })
+        S::Planar { orientation, distance } => Warp::Planar { orientation: *orientation, distance: *distance },
+        S::Cubic => Warp::Cubic,
+    }
+}
+
+/// Repeated holes keep inside their blocks, as POV-Ray makes them.
+fn black_hole(hole: &scene::BlackHole) -> Warp {
+    let (mut center, mut repeat) = (hole.center, hole.repeat);
+    if let Some(repeat) = &mut repeat {
+        let shift = hole.turbulence.unwrap_or(DVec3::ZERO);
+        for i in 0..3 {
+            if repeat[i] > 0.0 {
+                center[i] = center[i].max(hole.radius);
+                repeat[i] = repeat[i].max(center[i] + hole.radius + shift[i]);
+            }
+        }
+    }
+    // Other types than 0 do nothing.
+    let radius = if hole.kind == 0 { hole.radius } else { 0.0 };
+    Warp::BlackHole(Box::new(BlackHole {
+        center,
+        radius,
+        strength: hole.strength,
+        falloff: hole.falloff,
+        inverse: hole.inverse,
+        repeat,
+        turbulence: hole.turbulence,
+    }))
 }
 
 fn wave(wave: scene::Wave) -> Wave {
@@ -115,11 +270,4 @@ fn wave(wave: scene::Wave) -> Wave {
         scene::Wave::Cubic => Wave::Cubic,
         scene::Wave::Poly(exponent) => Wave::Poly(f64::from(exponent)),
     }
-}
-
-/// The first word of the kind's debug text, in lower case: its keyword or nearly so.
-fn name(kind: &scene::PatternKind) -> String {
-    let text = format!("{kind:?}");
-    let word = text.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
-    word.to_lowercase()
 }

@@ -163,11 +163,29 @@ impl Geometry {
         points: (DVec3, DVec3),
     ) -> SmallVec<[TextureRef<'_>; 1]> {
         let look = &inherited.look;
-        if from_inside && let Some(placement) = look.interior_texture {
+        let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.parts.iter().any(|p| p.texture.is_some()));
+        if from_inside
+            && !mixes
+            && let Some(placement) = look.interior_texture
+        {
             return self
                 .placed((placement, 1.0), &hit.path, inherited.interior_texture_depth, look.uv_mapping)
                 .into_iter()
                 .collect();
+        }
+        if let Shape::Blob(blob) = &primitive.shape {
+            let mixed = blob.textures(points.0);
+            if !mixed.is_empty() {
+                let place = self.place_of(primitive, look.uv_mapping, &hit.path);
+                let seen = |(own, weight): (Option<(TextureId, Transform)>, f32)| match own {
+                    Some((texture, texture_from_blob)) => {
+                        let texture_from_world = Cow::Owned(place.then(&texture_from_blob));
+                        Some(TextureRef { texture, weight, texture_from_world })
+                    }
+                    None => self.placed((look.texture?, weight), &hit.path, inherited.texture_depth, look.uv_mapping),
+                };
+                return mixed.into_iter().filter_map(seen).collect();
+            }
         }
         let own = self.textures_of_part(&primitive.shape, hit.part, points.0);
         if !own.is_empty() {

@@ -1,6 +1,7 @@
-//! The formulas of patterns that need neither noise nor tables.
+//! The formulas of patterns: here those that need neither noise nor tables.
 
-use super::{Context, Pattern, PatternKind};
+use super::{Context, Pattern, PatternKind, crackle, noise_formula};
+use crate::math::noise::{noise, vector_noise};
 use crate::math::{DVec3, gray};
 use std::f64::consts::{PI, TAU};
 
@@ -10,34 +11,66 @@ const CELL_OFFSET: f64 = 1e-10;
 const TRIANGLE_HEIGHT: f64 = 0.866_025_403_784_438_6;
 
 /// The raw value, before frequency and wave.
-pub(super) fn value(kind: &PatternKind, p: DVec3, context: &Context) -> f64 {
-    match kind {
+pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
+    match &pattern.kind {
         PatternKind::None => 0.0,
+        PatternKind::Agate { generator, octaves, amount } => noise_formula::agate(*generator, *octaves, *amount, p),
+        PatternKind::Aoi => context.shading_normal().dot(context.direction).clamp(-1.0, 1.0).acos() / PI,
         PatternKind::Boxed => falling(p.abs().max_element()),
+        PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => noise(*generator, p),
         PatternKind::Brick { size, mortar } => brick(p, *size, *mortar),
+        PatternKind::Cells => crackle::cells(p),
         PatternKind::Checker => checker(p),
+        PatternKind::Crackle(crackle) => crackle.value(p),
         PatternKind::Cubic => cubic(p),
         PatternKind::Cylindrical => falling(p.x.hypot(p.z)),
+        PatternKind::Density(file) => file.value(p),
+        PatternKind::Dents(generator) => noise(*generator, p).powi(3),
+        PatternKind::Fractal(fractal) => fractal.value(p),
         PatternKind::Function(f) => wrapped(f.at(p)),
         PatternKind::Gradient(direction) => wrapped(p.dot(*direction)),
+        PatternKind::Granite(generator) => noise_formula::granite(*generator, p),
         PatternKind::Hexagon => hexagon(p.x, p.z),
         PatternKind::Image(image, mapping) => image.pattern_value(mapping, p),
         PatternKind::Leopard => ((p.x.sin() + p.y.sin() + p.z.sin()) / 3.0).powi(2),
+        PatternKind::Marble(inner) => noise_formula::marble(inner.as_deref(), p),
         PatternKind::Material(image, mapping, n) => image.material_index(mapping, p, *n) as f64,
+        PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p))),
         PatternKind::Onion => p.length() % 1.0,
+        PatternKind::Pavement(pavement) => pavement.value(p),
         PatternKind::Pigment(pigment) => f64::from(gray(pigment.color_or_clear(p, context).rgb)),
         PatternKind::Planar => falling(p.y.abs()),
+        PatternKind::Quilted(control) => noise_formula::quilted(*control, p),
         PatternKind::Radial => radial(p),
+        PatternKind::Ripples(sources) => sources.ripples(pattern.frequency, pattern.phase, p),
+        PatternKind::Slope(slope) => slope.value(p, context),
         PatternKind::Spherical => falling(p.length()),
+        PatternKind::Spiral1(arms, inner) => noise_formula::spiral(*arms, inner.as_deref(), p),
+        PatternKind::Spiral2(arms, inner) => {
+            let folded = |v: f64| 1.0 - (2.0 * (v - v.floor()) - 1.0).abs();
+            folded((p.x * p.x + p.y * p.y).sqrt()) + folded(noise_formula::spiral(*arms, inner.as_deref(), p))
+        }
         PatternKind::Square => square(p),
+        PatternKind::Tiling(tiling) => tiling.value(p),
         PatternKind::Triangular => triangular(p.x, p.z),
+        PatternKind::Waves(sources) => sources.waves(pattern.frequency, pattern.phase, p),
+        PatternKind::Wood(inner) => noise_formula::wood(inner.as_deref(), p),
+        PatternKind::Wrinkles(generator) => noise_formula::wrinkles(*generator, p),
     }
 }
 
 impl Pattern {
-    /// The native displacement of a unit normal, for patterns that have one beside their value.
-    pub(super) fn bump(&self, _point: DVec3) -> Option<DVec3> {
-        None
+    /// The native displacement of a unit normal at a warped point, for patterns that have one beside their value.
+    pub(super) fn bump(&self, p: DVec3) -> Option<DVec3> {
+        Some(match &self.kind {
+            PatternKind::Bumps(_) => vector_noise(p),
+            PatternKind::Dents(generator) => noise(*generator, p).powi(3) * vector_noise(p),
+            PatternKind::Wrinkles(_) => noise_formula::wrinkles_bump(p),
+            PatternKind::Quilted(control) => noise_formula::quilted_bump(*control, p),
+            PatternKind::Ripples(sources) => sources.ripples_bump(self.frequency, self.phase, p),
+            PatternKind::Waves(sources) => sources.waves_bump(self.frequency, self.phase, p),
+            _ => return None,
+        })
     }
 }
 
@@ -120,7 +153,7 @@ mod tests {
 
     fn check(kind: PatternKind, points: &[([f64; 3], f64)]) {
         for (p, expected) in points {
-            let found = value(&kind, DVec3::from(*p), &Context::default());
+            let found = value(&Pattern::of(kind.clone()), DVec3::from(*p), &Context::default());
             assert!((found - expected).abs() < 1e-9, "{kind:?} at {p:?}: {found} instead of {expected}");
         }
     }

@@ -13,21 +13,38 @@
 //! ```
 
 mod blend;
+mod crackle;
+mod density_file;
 mod finish;
 mod formula;
+mod fractal;
 mod image;
+mod noise_formula;
 mod normal;
 mod pattern;
+mod pavement;
+mod pavement_table;
+mod penrose;
 mod pigment;
+mod slope;
+mod tiling;
 mod warp;
 
 pub use self::image::{ImageMap, MapType, Mapping, Raster};
 pub use blend::{Blend, Pick};
+pub use crackle::Crackle;
+pub use density_file::DensityFile;
 pub use finish::{Finish, Reflection};
-pub use normal::{Frame, Normal, NormalKind, SlopeEntry};
+pub use fractal::{Coloring, Fractal, FractalSet};
+pub use noise_formula::{InnerTurbulence, WaveSources};
+pub use normal::{Facets, Frame, Normal, NormalKind, SlopeEntry};
 pub use pattern::{Context, Pattern, PatternKind, Wave};
+pub use pavement::Pavement;
+pub use penrose::Penrose;
 pub use pigment::Pigment;
-pub use warp::Warp;
+pub use slope::{Slope, SlopeAxis};
+pub use tiling::{Periodic, Tiling};
+pub use warp::{Around, BlackHole, Warp};
 
 /// What a surface looks like.
 #[derive(Debug)]

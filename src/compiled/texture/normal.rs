@@ -5,7 +5,9 @@
 //! comes out by its inverse, normalised on both ways unless `no_bump_scale` is set.
 //! Source: pattern facts, section 14 (measured).
 
+use super::crackle::{Metric, nearest};
 use super::{Blend, Context, Mapping, Pattern, Pick, Raster};
+use crate::math::noise::vector_noise;
 use crate::math::{DMat3, DVec3, Transform};
 use std::sync::Arc;
 
@@ -33,8 +35,32 @@ pub enum NormalKind {
     Normals(Pattern, Blend<Normal>),
     /// Heights in a picture.
     BumpMap(Pattern, Arc<Raster>, Mapping),
+    /// Flat facets, in the space of normals or of points.
+    Facets(Pattern, Facets),
     /// Everything inside is looked up at (u, v, 0).
     Uv(Box<Normal>),
+}
+
+/// How a surface is broken into facets.
+#[derive(Clone, Copy, Debug)]
+pub struct Facets {
+    /// Strength where facets lie in space; 0 where they lie among the normals.
+    pub coords: f64,
+    /// Size of a facet.
+    pub size: f64,
+    /// Exponent of the metric of cells.
+    pub metric: f64,
+}
+
+impl Facets {
+    fn bend(&self, n: DVec3, p: DVec3) -> DVec3 {
+        let metric = if self.metric == 1.0 { Metric::SignedSum } else { Metric::Power(self.metric) };
+        if self.coords == 0.0 {
+            return nearest(n / self.size, metric).point;
+        }
+        let push = vector_noise(nearest(p / self.size, metric).point);
+        n + self.coords * (push - push.dot(n) * n)
+    }
 }
 
 /// Height and slope where a slope map has an entry.
@@ -142,6 +168,7 @@ impl Normal {
                 }
             }
             NormalKind::BumpMap(pattern, image, mapping) => image.bump(mapping, pattern.warp(point), n, self.amount),
+            NormalKind::Facets(pattern, facets) => facets.bend(n, pattern.warp(point)),
             NormalKind::Uv(inner) => inner.apply(n, context.uv_point(), inner.pattern_from_outer, context),
         }
     }

@@ -1,7 +1,12 @@
 //! A pattern: how a point is moved, its formula, and the wave over the value.
 
-use super::{Blend, Mapping, Pigment, Raster, Warp, formula};
+use super::{
+    Blend, Crackle, DensityFile, Fractal, InnerTurbulence, Mapping, Pavement, Pigment, Raster, Slope, Tiling, Warp,
+    WaveSources, formula,
+};
+use crate::compiled::geometry::Geometry;
 use crate::function::Function;
+use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::math::{DVec2, DVec3};
 use std::sync::Arc;
 
@@ -40,30 +45,61 @@ pub enum PatternKind {
     /// Only carries warps; the value is 0.
     #[default]
     None,
+    Agate {
+        generator: NoiseGenerator,
+        octaves: Octaves,
+        amount: f64,
+    },
+    Aoi,
     Boxed,
+    Bozo(NoiseGenerator),
+    /// Bozo with bumps of its own.
+    Bumps(NoiseGenerator),
     Brick {
         size: DVec3,
         mortar: f64,
     },
+    Cells,
     Checker,
+    Crackle(Box<Crackle>),
     Cubic,
     Cylindrical,
+    Density(Arc<DensityFile>),
+    Dents(NoiseGenerator),
+    Fractal(Box<Fractal>),
     Function(Arc<Function>),
     /// Unit direction.
     Gradient(DVec3),
+    Granite(NoiseGenerator),
     Hexagon,
     /// `image_pattern`.
     Image(Arc<Raster>, Mapping),
     Leopard,
     /// `material_map` with its number of textures.
     Material(Arc<Raster>, Mapping, usize),
+    Marble(Option<Box<InnerTurbulence>>),
+    /// 1 inside a solid, 0 outside.
+    Object(Arc<Geometry>),
     Onion,
+    Pavement(Pavement),
     Pigment(Arc<Pigment>),
     Planar,
+    /// Control values.
+    Quilted([f64; 2]),
     Radial,
+    Ripples(Arc<WaveSources>),
+    Slope(Box<Slope>),
     Spherical,
+    /// Number of arms.
+    Spiral1(f64, Option<Box<InnerTurbulence>>),
+    /// Number of arms.
+    Spiral2(f64, Option<Box<InnerTurbulence>>),
     Square,
+    Tiling(Arc<Tiling>),
     Triangular,
+    Waves(Arc<WaveSources>),
+    Wood(Option<Box<InnerTurbulence>>),
+    Wrinkles(NoiseGenerator),
 }
 
 /// What a pattern may ask about beside the point: where on which surface, seen from where.
@@ -82,6 +118,11 @@ pub struct Context {
 }
 
 impl Context {
+    /// The perturbed normal, or the geometric one before any bump; zero away from surfaces.
+    pub fn shading_normal(&self) -> DVec3 {
+        if self.perturbed_normal == DVec3::ZERO { self.normal } else { self.perturbed_normal }
+    }
+
     /// A lookup at (u, v, 0).
     pub fn uv_point(&self) -> DVec3 {
         self.uv.extend(0.0)
@@ -108,7 +149,7 @@ impl Pattern {
 
     /// The value at a point that [`warp`](Self::warp) gave.
     pub fn value_at_warped(&self, point: DVec3, context: &Context) -> f64 {
-        let raw = formula::value(&self.kind, point, context);
+        let raw = formula::value(self, point, context);
         shape(raw, self.frequency, self.phase, self.wave)
     }
 

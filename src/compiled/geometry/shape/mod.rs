@@ -3,27 +3,39 @@
 //! Each answers: where are its bounds, which crossings does a ray have, is a point inside, and
 //! what does the surface look like at a hit.
 
+mod blob;
 mod cone;
 mod cuboid;
+mod height_field;
+mod lathe;
 mod mesh;
+mod outline;
 mod ovus;
 mod plane;
 mod polygon;
 mod polynomial;
+mod prism;
 mod quadric;
+mod sor;
 mod sphere;
 mod superellipsoid;
 mod torus;
 mod triangle;
 
+pub(crate) use blob::{Blob, BlobPart, Core};
 pub(crate) use cone::Cone;
 pub(crate) use cuboid::Cuboid;
+pub(crate) use height_field::{HeightField, HeightGrid};
+pub(crate) use lathe::Lathe;
 pub(crate) use mesh::{Mesh, MeshData, MeshTree};
+pub(crate) use outline::Segment;
 pub(crate) use ovus::Ovus;
 pub(crate) use plane::{Disc, Plane};
 pub(crate) use polygon::Polygon;
 pub(crate) use polynomial::Polynomial;
+pub(crate) use prism::{Outline, Prism};
 pub(crate) use quadric::Quadric;
+pub(crate) use sor::{Sor, SorSegment};
 pub(crate) use sphere::{Sphere, spherical_uv};
 pub(crate) use superellipsoid::Superellipsoid;
 pub(crate) use torus::Torus;
@@ -135,6 +147,11 @@ shapes! {
     Polynomial(Polynomial),
     Superellipsoid(Superellipsoid),
     Polygon(Polygon),
+    HeightField(HeightField),
+    Blob(Blob),
+    Prism(Prism),
+    Lathe(Lathe),
+    Sor(Sor),
     Triangle(Box<Triangle>),
     SmoothTriangle(Box<SmoothTriangle>),
     Mesh(Mesh),

@@ -1,0 +1,108 @@
+//! Height fields: pixels become a grid of whole heights, the grid a mesh.
+//!
+//! Source: shape facts, freeform, section 3.
+
+use crate::compiled::geometry::{HeightGrid, MeshData, MeshTree};
+use crate::function::Function;
+use crate::imaging::{Pixels, decode};
+use crate::scene::{self, ImageFormat, ImageSource};
+use std::sync::Arc;
+
+/// Builds the grid of a height field.
+///
+/// # Errors
+/// A message if the picture cannot be read.
+pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGrid>, String> {
+    let (width, depth, top_down) = match &field.image.source {
+        ImageSource::File { path, format } => {
+            let name = format_name(*format).ok_or("this picture type is not supported in height_field")?;
+            let pixels = decode(path, name).map_err(|e| e.to_string())?;
+            (pixels.width, pixels.height, from_pixels(&pixels, *format))
+        }
+        ImageSource::Function { width, height, function } => {
+            let (w, h) = (*width as usize, *height as usize);
+            (w, h, from_function(w, h, function))
+        }
+    };
+    if width < 2 || depth < 2 {
+        return Ok(None);
+    }
+    // The picture's bottom row stands at z = 0.
+    let heights: Vec<u16> = top_down.chunks_exact(width).rev().flatten().copied().collect();
+    let lowest = f64::from(heights.iter().copied().min().unwrap_or(0));
+    let highest = f64::from(heights.iter().copied().max().unwrap_or(0));
+    let tree = Arc::new(MeshTree::new(triangles(width, depth, &heights)));
+    let water = field.water_level * 65536.0;
+    Ok(Some(HeightGrid { width, depth, heights, water, smooth: field.smooth, tree, lowest, highest }))
+}
+
+/// Two triangles a cell, split from (i+1, k) to (i, k+1).
+fn triangles(width: usize, depth: usize, heights: &[u16]) -> MeshData {
+    let vertex = |n: usize| [(n % width) as f32, f32::from(heights[n]), (n / width) as f32];
+    let vertices = (0..width * depth).map(vertex).collect();
+    let mut faces = Vec::with_capacity(2 * (width - 1) * (depth - 1));
+    for k in 0..depth - 1 {
+        for i in 0..width - 1 {
+            let n = (k * width + i) as u32;
+            let above = n + width as u32;
+            faces.push([n, n + 1, above]);
+            faces.push([above + 1, above, n + 1]);
+        }
+    }
+    MeshData { vertices, faces, normal_indices: Some(Vec::new()), ..MeshData::default() }
+}
+
+fn format_name(format: ImageFormat) -> Option<&'static str> {
+    Some(match format {
+        ImageFormat::Png => "png",
+        ImageFormat::Gif => "gif",
+        ImageFormat::Tga => "tga",
+        ImageFormat::Bmp => "bmp",
+        ImageFormat::Pnm => "pnm",
+        ImageFormat::Jpeg => "jpeg",
+        ImageFormat::Tiff => "tiff",
+        ImageFormat::Exr => "exr",
+        ImageFormat::Hdr => "hdr",
+        ImageFormat::Iff | ImageFormat::Pot => return None,
+    })
+}
+
+/// Heights by the kind of picture, top row first.
+fn from_pixels(pixels: &Pixels, format: ImageFormat) -> Vec<u16> {
+    if let Some(indices) = &pixels.indices {
+        return indices.iter().map(|i| u16::from(*i) * 256).collect();
+    }
+    let byte = |v: f32| (f64::from(v) * 255.0).round();
+    let floats = matches!(format, ImageFormat::Exr | ImageFormat::Hdr);
+    let height = |[r, g, b, _]: &[f32; 4]| -> f64 {
+        let gray = r == g && g == b;
+        if floats {
+            (255.0 * (256.0 * f64::from(*r) + f64::from(*g))).floor().rem_euclid(65536.0)
+        } else if gray && format != ImageFormat::Tga {
+            // 8 and 16 bits alike: v 257 and v are both 65535 times the share.
+            (f64::from(*r) * 65535.0).round()
+        } else {
+            byte(*r) * 256.0 + byte(*g)
+        }
+    };
+    pixels.rgba.iter().map(|p| height(p) as u16).collect()
+}
+
+/// Samples a function over the unit square, x to the right, y down.
+fn from_function(width: usize, height: usize, function: &Function) -> Vec<u16> {
+    let share = |i: usize, n: usize| if n > 1 { i as f64 / (n - 1) as f64 } else { 0.0 };
+    let mut heights = Vec::with_capacity(width * height);
+    for row in 0..height {
+        for column in 0..width {
+            let value = function.call(&[share(column, width), share(row, height), 0.0]);
+            let level = if function.width() == 1 {
+                // Values outside 0 to 1 wrap.
+                (65535.0 * value[0]).floor().rem_euclid(65536.0)
+            } else {
+                (65535.0 * (0.297 * value[0] + 0.589 * value[1] + 0.114 * value[2])).floor().clamp(0.0, 65535.0)
+            };
+            heights.push(level as u16);
+        }
+    }
+    heights
+}

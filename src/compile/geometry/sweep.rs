@@ -1,0 +1,92 @@
+//! Prisms, lathes and surfaces of revolution: points become polynomial pieces.
+//!
+//! Source of all layouts: shape facts, freeform, sections 6 to 9.
+
+use crate::compiled::geometry::{Lathe, Outline, Prism, Segment, Shape as Compiled, Sor, SorSegment};
+use crate::math::DVec2;
+use crate::scene::{self, SweepSpline};
+
+/// POV-Ray's distance at which outline points are the same.
+const SAME_POINT: f64 = 1e-10;
+
+fn same(a: DVec2, b: DVec2) -> bool {
+    (a - b).abs().max_element() < SAME_POINT
+}
+
+/// A prism; `None` if its outline does not close.
+pub(super) fn prism(prism: &scene::Prism) -> Option<Compiled> {
+    let p = &prism.points;
+    let segments = match prism.spline {
+        SweepSpline::Linear => linear_outline(p),
+        SweepSpline::Quadratic => steered_outline(p, 0, |w| Segment::quadratic(w[0], w[1], w[2]))?,
+        SweepSpline::Cubic => steered_outline(p, 1, |w| Segment::cubic([w[0], w[1], w[2], w[3]]))?,
+        // Traversed backwards, as POV-Ray does: its normals depend on it.
+        _ => p.chunks_exact(4).map(|w| Segment::bezier([w[3], w[2], w[1], w[0]])).collect(),
+    };
+    let [a, b] = prism.heights;
+    Some(Compiled::Prism(Prism {
+        outlines: [Outline::new(segments)].into(),
+        low: a.min(b),
+        high: a.max(b),
+        conic: prism.conic,
+        open: prism.open,
+        outward_caps: false,
+    }))
+}
+
+/// Lines; an outline ends where a point repeats its first, the last one is closed in any case.
+fn linear_outline(points: &[DVec2]) -> Vec<Segment> {
+    let mut segments = Vec::new();
+    let mut start = 0;
+    for i in 1..points.len() {
+        if i == start {
+            continue;
+        }
+        segments.push(Segment::line(points[i - 1], points[i]));
+        if same(points[i], points[start]) {
+            start = i + 1;
+        }
+    }
+    if start + 1 < points.len() {
+        segments.push(Segment::line(points[points.len() - 1], points[start]));
+    }
+    segments
+}
+
+/// Splines with one control point before each outline and `after` behind it.
+fn steered_outline(points: &[DVec2], after: usize, segment: impl Fn(&[DVec2]) -> Segment) -> Option<Vec<Segment>> {
+    let mut segments = Vec::new();
+    let mut rest = points;
+    while rest.len() > 2 + after {
+        let end = (2..rest.len() - after).find(|i| same(rest[*i], rest[1]))?;
+        segments.extend((1..end).map(|i| segment(&rest[i - 1..=i + 1 + after])));
+        rest = &rest[end + 1 + after..];
+    }
+    Some(segments)
+}
+
+/// A lathe.
+pub(super) fn lathe(spline: SweepSpline, p: &[DVec2]) -> Compiled {
+    let segments: Vec<Segment> = match spline {
+        SweepSpline::Linear => p.windows(2).map(|w| Segment::line(w[0], w[1])).collect(),
+        SweepSpline::Quadratic => p.windows(3).map(|w| Segment::quadratic(w[0], w[1], w[2])).collect(),
+        SweepSpline::Bezier => p.chunks_exact(4).map(|w| Segment::bezier([w[0], w[1], w[2], w[3]])).collect(),
+        _ => p.windows(4).map(|w| Segment::cubic([w[0], w[1], w[2], w[3]])).collect(),
+    };
+    Compiled::Lathe(Lathe { segments: segments.into() })
+}
+
+/// A surface of revolution; the first and last point only steer.
+pub(super) fn sor(points: &[DVec2], open: bool) -> Compiled {
+    let piece = |w: &[DVec2]| {
+        let (r1, r2) = (w[1].x * w[1].x, w[2].x * w[2].x);
+        let slope = |a: DVec2, at: DVec2, b: DVec2| 2.0 * at.x * (b.x - a.x) / (b.y - a.y);
+        let (s1, s2) = (slope(w[0], w[1], w[2]), slope(w[1], w[2], w[3]));
+        let h = w[2].y - w[1].y;
+        // Hermite's cubic over the height above the lower point.
+        let c2 = (3.0 * (r2 - r1) / h - 2.0 * s1 - s2) / h;
+        let c3 = (2.0 * (r1 - r2) / h + s1 + s2) / (h * h);
+        SorSegment { low: w[1].y, high: w[2].y, squared: [r1, s1, c2, c3] }
+    };
+    Compiled::Sor(Sor { segments: points.windows(4).map(piece).collect(), open })
+}

@@ -1,0 +1,115 @@
+//! Text: TrueType glyphs become outlines swept along z.
+
+use crate::compiled::geometry::{Outline, Prism, Segment, Shape as Compiled};
+use crate::math::{DVec2, DVec3, Transform};
+use crate::scene::Text;
+use ttf_parser::{Face, GlyphId, OutlineBuilder};
+
+/// Collects the curves of one glyph, in ems.
+struct Pen {
+    segments: Vec<Segment>,
+    offset: DVec2,
+    scale: f64,
+    start: DVec2,
+    last: DVec2,
+}
+
+impl Pen {
+    fn at(&self, x: f32, y: f32) -> DVec2 {
+        DVec2::new(f64::from(x), f64::from(y)) * self.scale + self.offset
+    }
+
+    fn line(&mut self, to: DVec2) {
+        if to != self.last {
+            self.segments.push(Segment::line(self.last, to));
+        }
+        self.last = to;
+    }
+}
+
+impl OutlineBuilder for Pen {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.start = self.at(x, y);
+        self.last = self.start;
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.line(self.at(x, y));
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        let (a, b, c) = (self.last, self.at(x1, y1), self.at(x, y));
+        self.segments.push(Segment::new([a, 2.0 * (b - a), a - 2.0 * b + c, DVec2::ZERO]));
+        self.last = c;
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let end = self.at(x, y);
+        self.segments.push(Segment::bezier([self.last, self.at(x1, y1), self.at(x2, y2), end]));
+        self.last = end;
+    }
+
+    fn close(&mut self) {
+        self.line(self.start);
+    }
+}
+
+/// The glyph of a character code.
+fn glyph_of(face: &Face<'_>, code: u16) -> GlyphId {
+    let find = |c: u32| char::from_u32(c).and_then(|c| face.glyph_index(c));
+    // Symbol fonts keep their characters in a private range.
+    find(u32::from(code)).or_else(|| find(0xF000 + u32::from(code))).unwrap_or(GlyphId(0))
+}
+
+/// Kerning between two glyphs, in font units.
+fn kerning(face: &Face<'_>, left: GlyphId, right: GlyphId) -> f64 {
+    let tables = face.tables().kern.iter().flat_map(|kern| kern.subtables);
+    let horizontal = tables.filter(|t| t.horizontal && !t.variable);
+    horizontal.filter_map(|t| t.glyphs_kerning(left, right)).map(f64::from).sum()
+}
+
+/// All glyphs of a line beside each other, and what takes the result to text space.
+///
+/// # Errors
+/// A message if the font cannot be read.
+pub(super) fn text(text: &Text) -> Result<(Compiled, Transform), String> {
+    let face = Face::parse(&text.font, 0).map_err(|e| format!("the font cannot be read: {e}"))?;
+    let em = f64::from(face.units_per_em());
+    let mut outlines = Vec::new();
+    let mut pen = DVec2::ZERO;
+    let mut previous = None;
+    for code in &text.characters {
+        let glyph = glyph_of(&face, *code);
+        let x_min = face.glyph_bounding_box(glyph).map_or(0.0, |b| f64::from(b.x_min));
+        let bearing = f64::from(face.glyph_hor_side_bearing(glyph).unwrap_or(0));
+        let advance = f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
+        // The first glyph's left edge stands at x = 0.
+        let (at, step) = match previous {
+            None => (-x_min, advance - bearing),
+            Some(left) => {
+                pen += text.offset.truncate();
+                let kern = kerning(&face, left, glyph);
+                (bearing - x_min + kern, advance + kern)
+            }
+        };
+        let offset = pen + DVec2::new(at / em, 0.0);
+        let mut builder = Pen { segments: Vec::new(), offset, scale: 1.0 / em, start: offset, last: offset };
+        face.outline_glyph(glyph, &mut builder);
+        if !builder.segments.is_empty() {
+            outlines.push(Outline::new(builder.segments));
+        }
+        pen.x += step / em;
+        previous = Some(glyph);
+    }
+    let prism = Prism {
+        outlines: outlines.into(),
+        low: text.thickness.min(0.0),
+        high: text.thickness.max(0.0),
+        conic: false,
+        open: false,
+        outward_caps: true,
+    };
+    // Prisms stand along y, text along z; POV-Ray turns the whole by a thousandth of a degree.
+    let upright = Transform::from_columns(DVec3::X, DVec3::Z, DVec3::Y, DVec3::ZERO).unwrap_or_default();
+    Ok((Compiled::Prism(prism), upright.then(&Transform::rotation_deg(DVec3::splat(0.001)))))
+}

@@ -1,0 +1,122 @@
+//! Curves turned around the y axis.
+
+use super::outline::Segment;
+use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits, spherical_uv};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma, quadratic_roots, roots_in};
+use std::sync::Arc;
+
+/// x² + z² = r(w)², y = y(w), for pieces (r, y) of a curve.
+#[derive(Clone, Debug)]
+pub(crate) struct Lathe {
+    pub(crate) segments: Arc<[Segment]>,
+}
+
+/// Product of two cubics, rising.
+fn square(c: &[f64; 4], sum: &mut [f64; 7], factor: f64) {
+    for i in 0..4 {
+        for j in 0..4 {
+            sum[i + j] += factor * c[i] * c[j];
+        }
+    }
+}
+
+impl Lathe {
+    /// Smallest and largest radius and height of the curve.
+    fn hull(&self) -> (DVec2, DVec2) {
+        let hull = |(min, max): (DVec2, DVec2), s: &Segment| (min.min(s.bounds().0), max.max(s.bounds().1));
+        self.segments.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), hull)
+    }
+
+    /// Crossings of a unit-speed ray with one turned piece, (s, w), anywhere on the line.
+    fn turned(&self, segment: &Segment, near: &NearRay, mut found: impl FnMut(f64, f64)) {
+        let (o, d) = (near.origin, near.direction);
+        let (o2, d2) = (DVec2::new(o.x, o.z), DVec2::new(d.x, d.z));
+        let around = |w: f64| {
+            let r = segment.at(w).x;
+            quadratic_roots(d2.length_squared(), 2.0 * o2.dot(d2), o2.length_squared() - r * r)
+        };
+        if d.y == 0.0 {
+            for w in segment.zeros(0.0, 1.0, -o.y) {
+                around(w).into_iter().flatten().for_each(|s| found(s, w));
+            }
+            return;
+        }
+        // |d.y o2 + (y(w) - o.y) d2|² = d.y² r(w)², the ray's parameter eliminated.
+        let mut y = segment.y;
+        y[0] -= o.y;
+        let mut c = [0.0; 7];
+        square(&y, &mut c, d2.length_squared());
+        square(&segment.x, &mut c, -d.y * d.y);
+        for i in 0..4 {
+            c[i] += 2.0 * d.y * o2.dot(d2) * y[i];
+        }
+        c[0] += d.y * d.y * o2.length_squared();
+        for w in roots_in(&c, 0.0, 1.0) {
+            let by_height = (segment.at(w).y - o.y) / d.y;
+            // For rays nearly across the axis the circle tells the distance better.
+            let near_height = |s: &f64| (s - by_height).abs();
+            let by_circle =
+                around(w).and_then(|r| r.into_iter().min_by(|a, b| near_height(a).total_cmp(&near_height(b))));
+            found(if d.y.abs() > 0.1 { by_height } else { by_circle.unwrap_or(by_height) }, w);
+        }
+    }
+
+    fn near(&self, ray: &Ray) -> NearRay {
+        let (min, max) = self.hull();
+        let size = max.abs().max(min.abs()).max_element();
+        NearRay::new(ray, DVec3::new(0.0, 0.5 * (min.y + max.y), 0.0), 4.0 * size)
+    }
+}
+
+impl Primitive for Lathe {
+    fn bounds(&self) -> Bounds {
+        let (min, max) = self.hull();
+        let r = min.x.abs().max(max.x.abs());
+        Bounds { min: DVec3::new(-r, min.y, -r), max: DVec3::new(r, max.y, r) }
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        let near = self.near(ray);
+        for (segment, part) in self.segments.iter().zip(0..) {
+            self.turned(segment, &near, |s, _| {
+                let t = near.t(s);
+                if range.contains(t) {
+                    out.push(ShapeHit { t, part });
+                }
+            });
+        }
+    }
+
+    /// An odd number of curve crossings further out; never inside the curve's smallest radius.
+    fn contains(&self, p: DVec3) -> bool {
+        let (min, max) = self.hull();
+        let flat = DVec2::new(p.x.hypot(p.z), p.y);
+        min.cmple(flat).all()
+            && flat.cmple(max).all()
+            && self.segments.iter().map(|s| s.crossings_right_of(flat)).sum::<usize>() % 2 == 1
+    }
+
+    fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
+        let segment = &self.segments[part as usize];
+        let near = self.near(ray);
+        let mut nearest = (f64::INFINITY, 0.0);
+        self.turned(segment, &near, |s, w| {
+            let miss = (near.t(s) - t).abs();
+            if miss < nearest.0 {
+                nearest = (miss, w);
+            }
+        });
+        let w = nearest.1;
+        let (c, slope) = (segment.at(w), segment.slope(w));
+        let p = ray.at(t);
+        let outward = DVec2::new(p.x, p.z).normalize_or(DVec2::X);
+        let point = DVec3::new(outward.x * c.x.abs(), c.y, outward.y * c.x.abs());
+        let rise = slope.x * c.x.signum();
+        let normal = DVec3::new(slope.y * outward.x, -rise, slope.y * outward.y);
+        let u = spherical_uv(DVec3::new(outward.x, 0.0, outward.y)).x;
+        let uv = DVec2::new(u, (f64::from(part) + w) / self.segments.len() as f64);
+        let (min, max) = self.hull();
+        let error = gamma(256) * max.abs().max(min.abs()).max_element();
+        LocalSurface { uv: Some(uv), ..LocalSurface::plain(point, error, normal) }
+    }
+}

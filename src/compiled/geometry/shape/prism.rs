@@ -1,0 +1,167 @@
+//! Outlines swept along an axis: prisms and text.
+
+use super::outline::Segment;
+use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
+use std::sync::Arc;
+
+/// Closed curves that belong together: what an odd number of them surrounds is inside.
+#[derive(Clone, Debug)]
+pub(crate) struct Outline {
+    pub(crate) segments: Box<[Segment]>,
+    min: DVec2,
+    max: DVec2,
+}
+
+impl Outline {
+    pub(crate) fn new(segments: Vec<Segment>) -> Self {
+        let hull = |(min, max): (DVec2, DVec2), s: &Segment| (min.min(s.bounds().0), max.max(s.bounds().1));
+        let (min, max) = segments.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), hull);
+        Self { segments: segments.into(), min, max }
+    }
+
+    fn contains(&self, p: DVec2) -> bool {
+        self.min.cmple(p).all()
+            && p.cmple(self.max).all()
+            && self.segments.iter().map(|s| s.crossings_right_of(p)).sum::<usize>() % 2 == 1
+    }
+}
+
+/// Outlines in (x, z), from `low` to `high` in y.
+#[derive(Clone, Debug)]
+pub(crate) struct Prism {
+    /// Solids beside each other: one for a prism, one for each glyph of a text.
+    pub(crate) outlines: Arc<[Outline]>,
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    /// The outline stands at y = 1 and grows from the origin.
+    pub(crate) conic: bool,
+    pub(crate) open: bool,
+    /// The lower cap's normal points down, as in text; prisms have both pointing up.
+    pub(crate) outward_caps: bool,
+}
+
+const LOW_CAP: u32 = u32::MAX - 1;
+const HIGH_CAP: u32 = u32::MAX;
+
+impl Prism {
+    /// Where the outline is hit, seen from the swept axis.
+    fn flat(&self, p: DVec3, y: f64) -> DVec2 {
+        let p = DVec2::new(p.x, p.z);
+        if self.conic { p / y } else { p }
+    }
+
+    /// The outline's extent against the ray's shadow: whether to look at it at all.
+    fn may_meet(&self, outline: &Outline, ray: &Ray, range: Range) -> bool {
+        self.conic || super::super::solid::may_meet(&self.outline_bounds(outline), ray, range)
+    }
+
+    fn outline_bounds(&self, outline: &Outline) -> Bounds {
+        let corner = |y: f64| {
+            let scale = if self.conic { y } else { 1.0 };
+            let (a, b) = (outline.min * scale, outline.max * scale);
+            Bounds::from_corners(DVec3::new(a.x, y, a.y), DVec3::new(b.x, y, b.y))
+        };
+        super::super::graph::padded(corner(self.low).union(&corner(self.high)))
+    }
+
+    /// Crossings with one piece of outline swept without end: (t, w).
+    fn sides(&self, segment: &Segment, ray: &Ray, mut found: impl FnMut(f64, f64)) {
+        let (o, d) = (ray.origin, ray.direction);
+        // The plane that holds the ray and, for cones, the origin; else, the axis' direction.
+        let (normal, constant) = if self.conic {
+            let n = o.cross(d);
+            (DVec2::new(n.x, n.z), n.y)
+        } else {
+            let n = DVec2::new(-d.z, d.x);
+            (n, -n.dot(DVec2::new(o.x, o.z)))
+        };
+        if normal == DVec2::ZERO {
+            return;
+        }
+        for w in segment.zeros(normal.x, normal.y, constant) {
+            let p = segment.at(w);
+            let lean = if self.conic { p } else { DVec2::ZERO };
+            let start = if self.conic { p * o.y } else { p };
+            let gap = start - DVec2::new(o.x, o.z);
+            let speed = DVec2::new(d.x, d.z) - lean * d.y;
+            found(gap.dot(speed) / speed.length_squared(), w);
+        }
+    }
+
+    fn pieces(&self) -> impl Iterator<Item = (&Outline, u32)> {
+        self.outlines.iter().scan(0, |first, outline| {
+            let start = *first;
+            *first += outline.segments.len() as u32;
+            Some((outline, start))
+        })
+    }
+
+    fn size(&self) -> f64 {
+        let b = self.bounds();
+        b.min.abs().max(b.max.abs()).max_element()
+    }
+}
+
+impl Primitive for Prism {
+    fn bounds(&self) -> Bounds {
+        self.outlines.iter().fold(Bounds::EMPTY, |sum, o| sum.union(&self.outline_bounds(o)))
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        for (outline, first) in self.pieces() {
+            if !self.may_meet(outline, ray, range) {
+                continue;
+            }
+            for (segment, part) in outline.segments.iter().zip(first..) {
+                self.sides(segment, ray, |t, _| {
+                    let y = ray.origin.y + t * ray.direction.y;
+                    if range.contains(t) && self.low <= y && y <= self.high {
+                        out.push(ShapeHit { t, part });
+                    }
+                });
+            }
+            if self.open || ray.direction.y == 0.0 {
+                continue;
+            }
+            for (y, part) in [(self.low, LOW_CAP), (self.high, HIGH_CAP)] {
+                let t = (y - ray.origin.y) / ray.direction.y;
+                // POV-Ray's threshold for a cone's missing cap at its apex.
+                let there = !self.conic || y.abs() > 1e-10;
+                if there && range.contains(t) && outline.contains(self.flat(ray.at(t), y)) {
+                    out.push(ShapeHit { t, part });
+                }
+            }
+        }
+    }
+
+    fn contains(&self, p: DVec3) -> bool {
+        let within = self.low <= p.y && p.y <= self.high && !(self.conic && p.y.abs() <= 1e-10);
+        within && self.outlines.iter().any(|o| o.contains(self.flat(p, p.y)))
+    }
+
+    fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
+        let point = ray.at(t);
+        let error = gamma(64) * self.size();
+        match part {
+            LOW_CAP if self.outward_caps => return LocalSurface::plain(point.with_y(self.low), error, DVec3::NEG_Y),
+            LOW_CAP => return LocalSurface::plain(point.with_y(self.low), error, DVec3::Y),
+            HIGH_CAP => return LocalSurface::plain(point.with_y(self.high), error, DVec3::Y),
+            _ => {}
+        }
+        let owner = self.pieces().find(|(o, first)| part >= *first && part < first + o.segments.len() as u32);
+        let Some((outline, first)) = owner else { return LocalSurface::plain(point, error, DVec3::Y) };
+        let segment = &outline.segments[(part - first) as usize];
+        let mut nearest = (f64::INFINITY, 0.0);
+        self.sides(segment, ray, |s, w| {
+            if (s - t).abs() < nearest.0 {
+                nearest = ((s - t).abs(), w);
+            }
+        });
+        let (on_curve, slope) = (segment.at(nearest.1), segment.slope(nearest.1));
+        let scale = if self.conic { point.y } else { 1.0 };
+        let point = DVec3::new(on_curve.x * scale, point.y, on_curve.y * scale);
+        let lean = if self.conic { -(on_curve.x * slope.y - on_curve.y * slope.x) } else { 0.0 };
+        LocalSurface::plain(point, error, DVec3::new(slope.y, lean, -slope.x))
+    }
+}
