@@ -29,10 +29,10 @@ pub fn compile(scene: &Scene) -> SourceResult<(World, Vec<Diagnostic>)> {
     let mut compiler = TextureCompiler::new(&scene.settings);
     let textures: Vec<_> = textures
         .iter()
-        .filter_map(|t| note(compiler.texture(t), span_of_texture(&scene.objects, t), &mut errors))
+        .filter_map(|t| note(compiler.texture(t), || span_of_texture(&scene.objects, t), &mut errors))
         .collect();
-    let camera = note(camera::camera(&scene.camera, &mut compiler), None, &mut errors);
-    let atmosphere = note(atmosphere(scene, &mut compiler), None, &mut errors);
+    let camera = note(camera::camera(&scene.camera, &mut compiler), || None, &mut errors);
+    let atmosphere = note(atmosphere(scene, &mut compiler), || None, &mut errors);
     let (lights, n_global_lights, groups) = place_lights(lights, &light_groups, &mut warnings)?;
     warn_about_media(scene, &interiors, &mut warnings);
     let (Some(camera), Some(atmosphere), true) = (camera, atmosphere, errors.is_empty()) else {
@@ -53,8 +53,9 @@ pub fn compile(scene: &Scene) -> SourceResult<(World, Vec<Diagnostic>)> {
     Ok((world, warnings))
 }
 
-fn note<T>(result: Result<T, Refusal>, span: Option<Span>, errors: &mut Vec<Diagnostic>) -> Option<T> {
-    let refused = |message| Diagnostic { span, ..Diagnostic::error(Span::default(), message) };
+/// Takes the value or notes the refusal; its place is only looked for then.
+fn note<T>(result: Result<T, Refusal>, span: impl FnOnce() -> Option<Span>, errors: &mut Vec<Diagnostic>) -> Option<T> {
+    let refused = |message| Diagnostic { span: span(), ..Diagnostic::error(Span::default(), message) };
     result.map_err(|message| errors.push(refused(message))).ok()
 }
 
