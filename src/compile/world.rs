@@ -1,13 +1,14 @@
 //! The whole scene: geometry first, then everything that its indices refer to.
 
 use super::geometry::{CompiledGeometry, PlacedLight};
-use super::texture::{Refusal, TextureCompiler};
+use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
-use crate::compiled::atmosphere::{Atmosphere, Fog, Rainbow, Sky};
+use crate::compiled::atmosphere::{Atmosphere, Fog, FogTurbulence, Rainbow, Sky};
 use crate::compiled::interior::{Interior, InteriorFade};
 use crate::compiled::{Group, Settings, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span};
 use crate::math::DVec3;
+use crate::math::noise::Octaves;
 use crate::scene::{self, Gamma, Object, Scene, Texture, Working};
 use std::sync::Arc;
 
@@ -28,10 +29,10 @@ pub fn compile(scene: &Scene) -> SourceResult<(World, Vec<Diagnostic>)> {
     let mut compiler = TextureCompiler::new(&scene.settings);
     let textures: Vec<_> = textures
         .iter()
-        .filter_map(|t| note(compiler.texture(t), span_of_texture(&scene.objects, t), &mut errors))
+        .filter_map(|t| note(compiler.texture(t), || span_of_texture(&scene.objects, t), &mut errors))
         .collect();
-    let camera = note(camera::camera(&scene.camera, &mut compiler), None, &mut errors);
-    let atmosphere = note(atmosphere(scene, &mut compiler), None, &mut errors);
+    let camera = note(camera::camera(&scene.camera, &mut compiler), || None, &mut errors);
+    let atmosphere = note(atmosphere(scene, &mut compiler), || None, &mut errors);
     let (lights, n_global_lights, groups) = place_lights(lights, &light_groups, &mut warnings)?;
     warn_about_media(scene, &interiors, &mut warnings);
     let (Some(camera), Some(atmosphere), true) = (camera, atmosphere, errors.is_empty()) else {
@@ -52,8 +53,9 @@ pub fn compile(scene: &Scene) -> SourceResult<(World, Vec<Diagnostic>)> {
     Ok((world, warnings))
 }
 
-fn note<T>(result: Result<T, Refusal>, span: Option<Span>, errors: &mut Vec<Diagnostic>) -> Option<T> {
-    let refused = |message| Diagnostic { span, ..Diagnostic::error(Span::default(), message) };
+/// Takes the value or notes the refusal; its place is only looked for then.
+fn note<T>(result: Result<T, Refusal>, span: impl FnOnce() -> Option<Span>, errors: &mut Vec<Diagnostic>) -> Option<T> {
+    let refused = |message| Diagnostic { span: span(), ..Diagnostic::error(Span::default(), message) };
     result.map_err(|message| errors.push(refused(message))).ok()
 }
 
@@ -138,12 +140,12 @@ fn atmosphere(scene: &Scene, compiler: &mut TextureCompiler<'_>) -> Result<Atmos
     Ok(Atmosphere {
         background: scene.background,
         sky,
-        fogs: scene.fogs.iter().filter(|f| f.distance.abs() > TINY).map(fog).collect(),
+        fogs: scene.fogs.iter().filter(|f| f.distance.abs() > TINY).map(|f| fog(f, &scene.settings)).collect(),
         rainbows: rainbows.map(|r| rainbow(r, compiler)).collect::<Result<_, _>>()?,
     })
 }
 
-fn fog(fog: &scene::Fog) -> Fog {
+fn fog(fog: &scene::Fog, settings: &scene::Settings) -> Fog {
     Fog {
         ground: fog.ground,
         distance: fog.distance,
@@ -151,6 +153,12 @@ fn fog(fog: &scene::Fog) -> Fog {
         offset: fog.offset,
         altitude: fog.alt,
         up: fog.up,
+        turbulence: fog.turbulence.map(|t| FogTurbulence {
+            scale: t.amount,
+            octaves: Octaves { count: t.octaves, lambda: t.lambda, omega: t.omega },
+            generator: noise_generator(settings),
+            depth: fog.turb_depth,
+        }),
     }
 }
 
@@ -177,13 +185,11 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
 /// What a Whitted renderer leaves out is said once for each feature.
 fn warn_about_media(scene: &Scene, interiors: &[Arc<scene::Interior>], warnings: &mut Vec<Diagnostic>) {
     let media = !scene.media.is_empty() || interiors.iter().any(|i| !i.media.is_empty());
-    let turbulent = scene.fogs.iter().any(|f| f.turbulence.is_some());
     let left_out = [
         (media, "`media` is not rendered"),
         (scene.settings.radiosity, "`radiosity` is not rendered"),
         (scene.settings.photons, "`photons` are not rendered"),
         (scene.settings.subsurface.is_some(), "`subsurface` light transport is not rendered"),
-        (turbulent, "the turbulence of `fog` is not rendered"),
     ];
     for (_, message) in left_out.into_iter().filter(|(present, _)| *present) {
         warnings.push(Diagnostic { span: None, ..Diagnostic::warning(Span::default(), message) });

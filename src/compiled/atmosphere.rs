@@ -1,6 +1,7 @@
 //! What a ray meets where it meets nothing, and on its way.
 
 use super::texture::Pigment;
+use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::math::{Color, DVec3, Rgb, Transform};
 
 /// Background, skies, fogs, rainbows.
@@ -42,6 +43,21 @@ pub struct Fog {
     pub altitude: f64,
     /// Unit.
     pub up: DVec3,
+    /// Thinner and thicker places, if any.
+    pub turbulence: Option<FogTurbulence>,
+}
+
+/// `turbulence` of a fog.
+#[derive(Clone, Copy, Debug)]
+pub struct FogTurbulence {
+    /// Scale of the noise.
+    pub scale: DVec3,
+    /// Octaves of the noise.
+    pub octaves: Octaves,
+    /// Which noise.
+    pub generator: NoiseGenerator,
+    /// Amount.
+    pub depth: f64,
 }
 
 /// `rainbow`; angles in radians.

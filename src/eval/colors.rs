@@ -26,7 +26,9 @@ impl Evaluator<'_> {
         self.fill(false)?;
         let span = self.span();
         let color = self.color()?;
-        if color.filter != 0.0 || color.transmit != 0.0 {
+        // A lone float fills all five components; that is meant as a grey.
+        let [red, rest @ ..] = color.to_array();
+        if (color.filter != 0.0 || color.transmit != 0.0) && rest != [red; 4] {
             self.warn_here("rgb_only", span, format!("filter and transmit have no meaning in {what}"));
         }
         Ok(color.rgb)

@@ -33,8 +33,8 @@ impl Disk {
 
     /// Where a file to be read lies, if scenes may read there.
     fn source(&self, path: &Path) -> io::Result<PathBuf> {
-        let folder = path.parent().map(fs::canonicalize).transpose()?;
-        if folder.is_some_and(|folder| self.trusted.contains(&folder)) {
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        if self.trusted.contains(&fs::canonicalize(folder)?) {
             return Ok(path.to_owned());
         }
         Self::permitted(path, &self.readable)

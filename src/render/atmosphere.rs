@@ -7,6 +7,7 @@ use super::tracer::Tracer;
 use crate::compiled::atmosphere::{Fog, Rainbow};
 use crate::compiled::geometry::RayKind;
 use crate::compiled::texture::Context;
+use crate::math::noise::turbulence;
 use crate::math::{Color, DVec3, Ray, Rgb, gray};
 
 /// POV-Ray's own limit for ground fog that keeps its height.
@@ -109,7 +110,14 @@ fn rainbow_index(rainbow: &Rainbow, direction: DVec3, jitter: f64) -> Option<(f6
 /// What part of the light comes through a fog.
 fn fog_transmittance(fog: &Fog, ray: &Ray, length: f64) -> f32 {
     let mean = if fog.ground { mean_density(fog, ray, length) } else { 1.0 };
-    ((-length * mean / fog.distance).exp() as f32).max(fog.color.transmit)
+    let thinned = match &fog.turbulence {
+        None => length,
+        Some(t) => {
+            let noise = turbulence(t.generator, t.octaves, ray.at(0.5 * length) * t.scale);
+            length * (1.0 - (-length / fog.distance).exp() * (t.depth * noise).min(1.0))
+        }
+    };
+    ((-thinned * mean / fog.distance).exp() as f32).max(fog.color.transmit)
 }
 
 /// Mean density of a ground fog along a ray, 1 below its offset.
@@ -132,8 +140,15 @@ mod tests {
 
     /// A plane of colour <.2,.4,.8> at distance 4 of a height-3 camera looking along a slope.
     fn check(ground: bool, slope: f64, expected: f32) {
-        let fog =
-            Fog { ground, distance: 10.0, color: Color::rgb(0.5, 0.5, 0.5), offset: 0.5, altitude: 2.0, up: DVec3::Y };
+        let fog = Fog {
+            ground,
+            distance: 10.0,
+            color: Color::rgb(0.5, 0.5, 0.5),
+            offset: 0.5,
+            altitude: 2.0,
+            up: DVec3::Y,
+            turbulence: None,
+        };
         let direction = DVec3::new(slope, slope, 1.0);
         let length = 4.0 * direction.length();
         let ray = Ray::new(DVec3::new(0.0, 3.0, 0.0), direction.normalize());

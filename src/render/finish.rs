@@ -3,6 +3,7 @@
 //! Source: section 5 of the shading facts (measured).
 
 use crate::compiled::texture::Finish;
+use crate::math::noise::{Octaves, turbulence};
 use crate::math::{DVec3, Rgb};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -66,9 +67,15 @@ pub(super) fn brilliance(finish: &Finish, cosine: f64) -> f32 {
     (if finish.brilliance == 1.0 { cosine } else { cosine.powf(finish.brilliance) }) as f32
 }
 
-/// Thin film interference.
-pub(super) fn irid(finish: &Finish, wavelength: Rgb, light: DVec3, normal: DVec3, view: DVec3) -> Rgb {
-    let path = finish.irid_thickness * (normal.dot(light).abs() + normal.dot(view).abs());
+/// Octaves by which the thickness of a thin film varies.
+const FILM_OCTAVES: Octaves = Octaves { count: 5, lambda: 2.0, omega: 0.5 };
+
+/// Thin film interference; `point` is where on the surface, in world space.
+pub(super) fn irid(finish: &Finish, wavelength: Rgb, point: DVec3, light: DVec3, normal: DVec3, view: DVec3) -> Rgb {
+    let thickness = finish.irid_turbulence.map_or(finish.irid_thickness, |(amount, generator)| {
+        finish.irid_thickness * (1.0 + amount * (2.0 * turbulence(generator, FILM_OCTAVES, point) - 1.0))
+    });
+    let path = thickness * (normal.dot(light).abs() + normal.dot(view).abs());
     let factor = |lambda: f32| (1.0 + finish.irid_amount * (TAU * path / f64::from(lambda)).cos()) as f32;
     Rgb::new(factor(wavelength.x), factor(wavelength.y), factor(wavelength.z))
 }

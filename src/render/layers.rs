@@ -191,8 +191,14 @@ impl Tracer<'_> {
         let mut light = self.reflect(place, direction, weight).rgb;
         let finish = &mirror.layer.finish;
         if finish.irid_amount != 0.0 {
-            light *=
-                finish::irid(finish, self.world.settings.irid_wavelength, direction, mirror.normal, place.direction());
+            light *= finish::irid(
+                finish,
+                self.world.settings.irid_wavelength,
+                place.surface.point,
+                direction,
+                mirror.normal,
+                place.direction(),
+            );
         }
         let exponent = mirror.reflectivity.exponent;
         if exponent != 1.0 {

@@ -74,7 +74,15 @@ impl Tracer<'_> {
                 answer
             } else {
                 let wavelength = world.settings.irid_wavelength;
-                answer * finish::irid(finish, wavelength, arrival.direction, normal, place.direction())
+                answer
+                    * finish::irid(
+                        finish,
+                        wavelength,
+                        place.surface.point,
+                        arrival.direction,
+                        normal,
+                        place.direction(),
+                    )
             };
         }
         sum

@@ -133,7 +133,8 @@ impl Tracer<'_> {
                 if let Some(finish) = top_finish.filter(|f| f.irid_amount != 0.0) {
                     let direction = reflected(path.ray.direction, normal, place.facing);
                     let wavelength = self.world.settings.irid_wavelength;
-                    mirrored.rgb *= finish::irid(finish, wavelength, direction, normal, path.ray.direction);
+                    mirrored.rgb *=
+                        finish::irid(finish, wavelength, place.surface.point, direction, normal, path.ray.direction);
                 }
                 let radiance = Radiance { rgb: attenuation * mirrored.rgb, transparency: 0.0 };
                 Through { radiance, total_reflection: true }

@@ -66,6 +66,9 @@ impl Tracer<'_> {
         let mut interiors = None;
         loop {
             let Some(hit) = geometry.intersect(&ray, range, RayKind::Shadow, &mut self.scratch) else { return color };
+            if geometry.blocks_light(&hit, &self.world.opaque) {
+                return Rgb::ZERO;
+            }
             let surface = geometry.surface(&ray, &hit);
             if surface.textures.iter().all(|t| self.world.opaque[t.texture.0 as usize]) {
                 return Rgb::ZERO;

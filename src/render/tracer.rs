@@ -85,7 +85,12 @@ impl<'w> Tracer<'w> {
     fn interiors_at(&self, point: DVec3) -> Interiors {
         let entry = |key: crate::compiled::geometry::InteriorKey| {
             let interior = self.world.interior(key.interior);
-            Inside { key, hollow: false, ior: interior.ior, dispersion: interior.dispersion }
+            Inside {
+                key,
+                hollow: self.world.geometry.is_hollow(key),
+                ior: interior.ior,
+                dispersion: interior.dispersion,
+            }
         };
         self.world.geometry.containing(point).into_iter().map(entry).collect()
     }

@@ -1,5 +1,6 @@
 //! Finishes: what does not depend on the place is worked out once.
 
+use super::noise_generator;
 use crate::compiled::texture::{Finish, Reflection};
 use crate::scene::{self, Settings};
 
@@ -18,7 +19,8 @@ pub(super) fn compile(finish: &scene::Finish, settings: &Settings) -> Finish {
         metallic: finish.metallic,
         irid_amount: f64::from(finish.irid_amount),
         irid_thickness: f64::from(finish.irid_thickness),
-        irid_turbulence: f64::from(finish.irid_turbulence),
+        irid_turbulence: (finish.irid_turbulence != 0.0)
+            .then(|| (f64::from(finish.irid_turbulence), noise_generator(settings))),
         reflection: mirror.then(|| Reflection {
             min: finish.reflection_min,
             max: finish.reflection_max,

@@ -10,6 +10,7 @@ mod picture;
 
 use crate::compiled::texture::{Blend, Layer, PatternedTexture, Pigment, Texture, WaveSources};
 use crate::math::Color;
+use crate::math::noise::NoiseGenerator;
 use crate::scene::{self, PigmentKind, Settings};
 use picture::PictureCache;
 use std::sync::Arc;
@@ -112,6 +113,15 @@ impl<'s> TextureCompiler<'s> {
             scene::Blend::List(list) => Blend::list(list.iter().map(|i| item(self, i)).collect::<Result<Vec<_>, _>>()?),
         };
         if blend.iter().next().is_none() { Err("a map without entries".into()) } else { Ok(blend) }
+    }
+}
+
+/// The noise of a scene where nothing else is said.
+pub(super) fn noise_generator(settings: &Settings) -> NoiseGenerator {
+    match settings.noise_generator() {
+        1 => NoiseGenerator::Original,
+        2 => NoiseGenerator::Corrected,
+        _ => NoiseGenerator::Perlin,
     }
 }
 

@@ -58,6 +58,28 @@ impl Geometry {
         inherited.look.interior.map(|_| (inherited.look.object, inherited.interior_key(path)))
     }
 
+    /// Whether fog and media outside also fill an interior's object.
+    pub fn is_hollow(&self, key: InteriorKey) -> bool {
+        self.hollow.get(key.interior.0 as usize).copied().unwrap_or(false)
+    }
+
+    /// Whether whatever texture may show at a hit is one of those marked in `opaque`.
+    ///
+    /// Much cheaper than the [`surface`](Self::surface); where that would have to say, `false`.
+    pub fn blocks_light(&self, hit: &Hit, opaque: &[bool]) -> bool {
+        let primitive = &self.primitives[hit.primitive as usize];
+        let look = self.looks_of(primitive.look, &hit.path).look;
+        let own = self.textures_of_part(&primitive.shape, hit.part, DVec3::ZERO);
+        let blocks = |placement: u32| {
+            let texture = self.placements.get(placement as usize).map(|p| p.texture);
+            texture.is_some_and(|t| opaque.get(t.0 as usize).copied().unwrap_or(false))
+        };
+        own.is_empty()
+            && look.cutaway.is_none()
+            && look.texture.is_some_and(blocks)
+            && look.interior_texture.is_none_or(blocks)
+    }
+
     /// The full record of a hit that [`intersect`](Self::intersect) gave for the same ray.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface<'_> {
         let primitive = &self.primitives[hit.primitive as usize];

@@ -1,6 +1,7 @@
 //! How a surface answers to light, with everything that does not depend on the place worked out.
 
 use crate::math::Rgb;
+use crate::math::noise::NoiseGenerator;
 
 /// Response to light; see section 3.4.5 of POV-Ray's manual for the terms.
 #[derive(Clone, Debug, Default)]
@@ -29,8 +30,8 @@ pub struct Finish {
     pub irid_amount: f64,
     /// Thin film: thickness.
     pub irid_thickness: f64,
-    /// Thin film: variation of the thickness.
-    pub irid_turbulence: f64,
+    /// Thin film: variation of the thickness, with its noise.
+    pub irid_turbulence: Option<(f64, NoiseGenerator)>,
     /// Mirror reflection, if any.
     pub reflection: Option<Reflection>,
     /// What is reflected does not go through.
