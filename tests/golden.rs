@@ -21,6 +21,8 @@ struct Recipe {
     tolerance: Tolerance,
     /// A file of an installed POV-Ray without which the trial is skipped.
     needs: Option<String>,
+    /// A feature that we do not have yet; the trial is skipped.
+    unsupported: Option<String>,
 }
 
 /// How far pictures may be apart.
@@ -63,7 +65,7 @@ fn trial(root: &Path, scene: PathBuf) -> Trial {
         .map_err(|e| e.to_string())
         .and_then(|text| toml::from_str::<Recipe>(&text).map_err(|e| e.to_string()));
     let missing = |file: &String| !Path::new(INSTALLED).join(file).exists();
-    let skipped = recipe.as_ref().is_ok_and(|r| r.needs.as_ref().is_some_and(missing));
+    let skipped = recipe.as_ref().is_ok_and(|r| r.unsupported.is_some() || r.needs.as_ref().is_some_and(missing));
     Trial::test(name.clone(), move || compare(&scene, &recipe?, &name)).with_ignored_flag(skipped)
 }
 
