@@ -249,5 +249,5 @@ fn fold_triangle([a, b, c]: [DVec3; 3], [na, nb, nc]: [DVec3; 3], place: &Transf
     let vertices = vertices.map(|v| place.point(v));
     let normal = raw(vertices);
     (normal != DVec3::ZERO && normal.is_finite())
-        .then(|| (Triangle { vertices, normal }, normals.map(|n| place.normal(n))))
+        .then(|| (Triangle { vertices, normal }, normals.map(|n| place.normal(n).normalize_or_zero())))
 }
