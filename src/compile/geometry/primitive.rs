@@ -250,5 +250,5 @@ fn fold_triangle([a, b, c]: [DVec3; 3], normals: [DVec3; 3], place: &Transform) 
     let vertices = vertices.map(|v| place.point(v));
     let normal = raw(vertices);
     (normal != DVec3::ZERO && normal.is_finite())
-        .then(|| (Triangle { vertices, normal }, normals.map(|n| place.normal(n))))
+        .then(|| (Triangle { vertices, normal }, normals.map(|n| place.normal(n).normalize_or_zero())))
 }
