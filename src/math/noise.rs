@@ -29,7 +29,7 @@ pub struct Congruential(pub u32);
 
 impl Congruential {
     /// The next draw, in 0..32768.
-    pub fn draw(&mut self) -> u32 {
+    pub const fn draw(&mut self) -> u32 {
         self.0 = self.0.wrapping_mul(1_812_433_253).wrapping_add(12_345);
         (self.0 >> 16) & 0x7fff
     }
@@ -39,35 +39,50 @@ impl Congruential {
 const PERIOD: usize = 4096;
 
 /// A permutation of 0..4096, shared by the noise, cells and crackle.
-static PERMUTATION: LazyLock<[u16; PERIOD]> = LazyLock::new(|| {
-    let mut table = std::array::from_fn(|i| i as u16);
+static PERMUTATION: [u16; PERIOD] = {
+    let mut table = [0; PERIOD];
+    let mut i = 0;
+    while i < PERIOD {
+        table[i] = i as u16;
+        i += 1;
+    }
     let mut random = Congruential(0);
-    for i in (0..PERIOD).rev() {
+    while i > 0 {
+        i -= 1;
         table.swap(i, random.draw() as usize % PERIOD);
     }
     table
-});
+};
+
+/// The noise table as it is read: twelve numbers from each of 256 places on, so that a corner's
+/// lie together and an eight-bit number needs no check.
+static CORNERS: [[f64; 12]; 256] = {
+    let mut rows = [[0.0; 12]; 256];
+    let mut i = 0;
+    while i < 256 * 12 {
+        rows[i / 12][i % 12] = NOISE_TABLE[i / 12 + i % 12];
+        i += 1;
+    }
+    rows
+};
 
 /// The twelve-bit hash of a lattice point: of its coordinates modulo 4096.
 pub fn lattice_hash(x: i64, y: i64, z: i64) -> usize {
-    let table = &*PERMUTATION;
     let at = |i: i64| i as usize & (PERIOD - 1);
-    let first = table[at(x)] as usize ^ at(y);
-    let second = table[first] as usize ^ at(z);
-    table[second] as usize
+    permuted(permuted(permuted(at(x)) ^ at(y)) ^ at(z))
 }
 
 /// Entry `i` of the permutation, for `i` modulo 4096.
 pub fn permuted(i: usize) -> usize {
-    PERMUTATION[i & (PERIOD - 1)] as usize
+    PERMUTATION[i & (PERIOD - 1)].into()
 }
 
 /// A lattice cell: hashes of its corners and the point inside it.
 struct Cell {
-    /// Index of the table for corner (a, b, c) at position a + 2b + 4c.
-    corners: [usize; 8],
-    /// Position in the cell, 0 to 1.
-    fraction: DVec3,
+    /// Numbers of corner (a, b, c) at position a + 2b + 4c.
+    corners: [&'static [f64; 12]; 8],
+    /// Distances from the lower and the upper side of the cell, by axis.
+    distances: [[f64; 2]; 3],
     /// Corner weights, in the order of `corners`.
     weights: [f64; 8],
 }
@@ -89,45 +104,38 @@ fn smooth(f: f64) -> f64 {
 impl Cell {
     fn around(p: DVec3) -> Self {
         let n = [cell_index(p.x), cell_index(p.y), cell_index(p.z)];
-        let fraction = DVec3::new(p.x - n[0] as f64, p.y - n[1] as f64, p.z - n[2] as f64);
-        let table = &*PERMUTATION;
+        let fraction = [p.x - n[0] as f64, p.y - n[1] as f64, p.z - n[2] as f64];
         let at = |i: i64| (i + POV_OFFSET) as usize & (PERIOD - 1);
         let (x, y, z) = ([at(n[0]), at(n[0] + 1)], [at(n[1]), at(n[1] + 1)], [at(n[2]), at(n[2] + 1)]);
-        let mut corners = [0; 8];
-        for a in 0..2 {
-            let first = table[x[a]] as usize;
-            for b in 0..2 {
-                let second = table[first ^ y[b]] as usize;
-                for c in 0..2 {
-                    corners[a + 2 * b + 4 * c] = table[second ^ z[c]] as usize & 255;
-                }
-            }
-        }
-        let s = [smooth(fraction.x), smooth(fraction.y), smooth(fraction.z)];
-        let weight = |axis: usize, upper: usize| if upper == 1 { s[axis] } else { 1.0 - s[axis] };
-        let weights = std::array::from_fn(|i| weight(0, i & 1) * weight(1, (i >> 1) & 1) * weight(2, i >> 2));
-        Self { corners, fraction, weights }
+        let first = x.map(permuted);
+        let second: [usize; 4] = std::array::from_fn(|i| permuted(first[i & 1] ^ y[i >> 1]));
+        let corners = std::array::from_fn(|i| &CORNERS[permuted(second[i & 3] ^ z[i >> 2]) & 255]);
+        let [sx, sy, sz] = fraction.map(|f| [1.0 - smooth(f), smooth(f)]);
+        let flat: [f64; 4] = std::array::from_fn(|i| sx[i & 1] * sy[i >> 1]);
+        let weights = std::array::from_fn(|i| flat[i & 3] * sz[i >> 2]);
+        Self { corners, distances: fraction.map(|f| [f, f - 1.0]), weights }
     }
 
-    /// The noise read at an offset of the table, unscaled.
-    fn value(&self, offset: usize) -> f64 {
-        let f = self.fraction;
-        let mut sum = 0.0;
-        for i in 0..8 {
-            let t = &NOISE_TABLE[self.corners[i] + offset..][..4];
-            let (a, b, c) = ((i & 1) as f64, ((i >> 1) & 1) as f64, (i >> 2) as f64);
-            sum += self.weights[i] * (0.5 * t[0] + t[1] * (f.x - a) + t[2] * (f.y - b) + t[3] * (f.z - c));
-        }
-        sum
+    /// The noise read at one of three offsets of the table, unscaled.
+    #[inline]
+    fn value<const OFFSET: usize>(&self) -> f64 {
+        let [x, y, z] = &self.distances;
+        let terms: [f64; 8] = std::array::from_fn(|i| {
+            let t = self.corners[i];
+            let slope = 0.5 * t[OFFSET] + t[OFFSET + 1] * x[i & 1] + t[OFFSET + 2] * y[(i >> 1) & 1];
+            self.weights[i] * (slope + t[OFFSET + 3] * z[i >> 2])
+        });
+        // In this order, for POV-Ray's last bit.
+        terms.iter().fold(0.0, |sum, term| sum + term)
     }
 }
 
 /// Noise at a point, in 0..=1.
 pub fn noise(generator: NoiseGenerator, p: DVec3) -> f64 {
     match generator {
-        NoiseGenerator::Original => (Cell::around(p).value(0) + 0.5).clamp(0.0, 1.0),
+        NoiseGenerator::Original => (Cell::around(p).value::<0>() + 0.5).clamp(0.0, 1.0),
         // The two constants make the range of the raw noise fit 0..1.
-        NoiseGenerator::Corrected => ((Cell::around(p).value(0) + 1.05242) * 0.48985582).clamp(0.0, 1.0),
+        NoiseGenerator::Corrected => ((Cell::around(p).value::<0>() + 1.05242) * 0.48985582).clamp(0.0, 1.0),
         NoiseGenerator::Perlin => perlin(p),
     }
 }
@@ -135,7 +143,7 @@ pub fn noise(generator: NoiseGenerator, p: DVec3) -> f64 {
 /// Three unclamped noises at a point, about -1 to 1: displacements.
 pub fn vector_noise(p: DVec3) -> DVec3 {
     let cell = Cell::around(p);
-    DVec3::new(cell.value(0), cell.value(4), cell.value(8))
+    DVec3::new(cell.value::<0>(), cell.value::<4>(), cell.value::<8>())
 }
 
 /// Gradients of the third generator and its permutation.

@@ -13,9 +13,9 @@ pub struct Object {
     /// Takes the shape's space to the space of the containing object or the world.
     pub transform: Transform,
     /// The texture, if the object has one of its own.
-    pub texture: Option<PlacedTexture>,
+    pub texture: Option<Box<PlacedTexture>>,
     /// What the inside of the surface looks like, if that differs.
-    pub interior_texture: Option<PlacedTexture>,
+    pub interior_texture: Option<Box<PlacedTexture>>,
     /// `interior`, if the object has one of its own.
     pub interior: Option<Arc<Interior>>,
     /// `clipped_by` objects, in the containing space.

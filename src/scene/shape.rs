@@ -198,7 +198,7 @@ pub struct BlobComponent {
     /// Takes the component's space to the blob's.
     pub transform: Transform,
     /// Its own texture.
-    pub texture: Option<PlacedTexture>,
+    pub texture: Option<Box<PlacedTexture>>,
 }
 
 /// A Bézier patch with the tessellation parameters of the scene file.

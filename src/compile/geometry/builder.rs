@@ -5,11 +5,11 @@
 
 use super::ObjectInfo;
 use super::census::Census;
-use super::looks::{Context, last_hollow};
+use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
 use crate::compiled::geometry::{
     Geometry, Group, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, MeshTree, Node, NodeKind, ObjectId, Operation,
-    Primitive, Shape as Compiled, TextureId, padded,
+    Parts, Primitive, Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::{Bounds, DVec3};
@@ -34,6 +34,7 @@ pub(super) struct Builder<'a> {
     pub(super) geometry: Geometry,
     pub(super) textures: Vec<Arc<Texture>>,
     pub(super) texture_ids: FxHashMap<*const Texture, TextureId>,
+    pub(super) layered_ids: FxHashMap<TextureParts, TextureId>,
     pub(super) placement_ids: FxHashMap<(TextureId, [[u64; 3]; 4]), u32>,
     pub(super) interiors: Vec<Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
@@ -54,6 +55,7 @@ impl<'a> Builder<'a> {
             geometry: Geometry::default(),
             textures: Vec::new(),
             texture_ids: FxHashMap::default(),
+            layered_ids: FxHashMap::default(),
             placement_ids: FxHashMap::default(),
             interiors: Vec::new(),
             meshes: FxHashMap::default(),
@@ -240,6 +242,7 @@ impl<'a> Builder<'a> {
                 node.look = compiled.look;
                 node.bounds = compiled.bounds();
                 node.extent = extent(compiled);
+                node.gap = gap(compiled);
                 node.kind = NodeKind::Primitive(primitive);
             }
         }
@@ -250,9 +253,10 @@ impl<'a> Builder<'a> {
             node.bounded_by = object.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
         }
         for clip in &node.clips {
-            let clip = self.geometry.nodes[*clip as usize].extent;
-            node.bounds = node.bounds.intersection(&clip);
-            node.extent = node.extent.intersection(&clip);
+            let clip = &self.geometry.nodes[*clip as usize];
+            node.bounds = node.bounds.intersection(&clip.extent);
+            node.extent = node.extent.intersection(&clip.extent);
+            node.gap = node.gap.union(&clip.gap);
         }
         self.geometry.nodes[index] = node;
         Some(index as u32)
@@ -320,11 +324,16 @@ impl<'a> Builder<'a> {
                 let rest = nodes[*first as usize].bounds.union(&nodes[*first as usize].extent);
                 node.bounds = node.bounds.intersection(&rest);
             }
+            node.gap = hull(|n| n.gap);
         } else {
             node.extent = hull(|n| n.extent);
+            node.gap = built.iter().fold(Bounds::INFINITE, |gap, n| gap.intersection(&nodes[*n as usize].gap));
         }
+        let boxes = |f: fn(&Node) -> Bounds| built.iter().map(|n| f(&nodes[*n as usize])).collect::<Vec<_>>();
+        let says = boxes(if compiled == Operation::Intersection { |n| n.gap } else { |n| n.extent });
         node.kind = NodeKind::Csg {
             operation: compiled,
+            parts: Parts::new(&boxes(|n| n.bounds), &says),
             children: built.into(),
             is_difference: operation == CsgOperation::Difference && !inside.inverse,
         };
@@ -362,11 +371,25 @@ pub(super) fn is_patch(shape: &Shape) -> bool {
     }
 }
 
-/// Around everything inside a primitive.
-fn extent(primitive: &Primitive) -> Bounds {
-    if primitive.inverse {
+/// Around everything outside a finite inverted primitive.
+fn gap(primitive: &Primitive) -> Bounds {
+    let hole = inner(primitive);
+    // Below its box, a height field still has an inside.
+    if !primitive.inverse || !hole.is_finite() || matches!(primitive.shape, Compiled::HeightField(_)) {
         return Bounds::INFINITE;
     }
+    // Inside tests have thresholds of their own; a hundredth is far beyond them and costs little.
+    let margin = hole.size() * 0.01;
+    Bounds { min: hole.min - margin, max: hole.max + margin }
+}
+
+/// Around everything inside a primitive.
+fn extent(primitive: &Primitive) -> Bounds {
+    if primitive.inverse { Bounds::INFINITE } else { inner(primitive) }
+}
+
+/// Around everything inside a primitive, were it not inverted.
+fn inner(primitive: &Primitive) -> Bounds {
     match &primitive.shape {
         Compiled::Plane(plane) => {
             // A plane along the axes bounds a half space.

@@ -6,7 +6,8 @@
 use super::builder::Builder;
 use crate::compiled::geometry::{InteriorId, LightGroupId, Look, ObjectId, Placement, Skips, TextureId};
 use crate::math::Transform;
-use crate::scene::{Object, PlacedTexture, Shape, Texture};
+use crate::scene::{Object, PlacedTexture, Shape, Texture, TextureLayer};
+use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// What an object finds around it on the way down.
@@ -84,7 +85,7 @@ impl Builder<'_> {
         let uv_mapping = flags.uv_mapping || (around.uv_mapping && lacks_one);
         let place = &around.group_from_parent;
         let hollow = flags.hollow.or(around.hollow);
-        let own = |builder: &mut Self, placed: &Option<PlacedTexture>| {
+        let own = |builder: &mut Self, placed: &Option<Box<PlacedTexture>>| {
             placed.as_ref().map(|p| builder.placement(p, place, flags.uv_mapping))
         };
         let texture = own(self, &object.texture);
@@ -125,12 +126,23 @@ impl Builder<'_> {
     }
 
     /// The number of a texture.
+    ///
+    /// Copies of one declared texture share its pigment, normal and finish, and its number.
     pub(super) fn texture(&mut self, texture: &Arc<Texture>) -> TextureId {
+        if let Some(known) = self.texture_ids.get(&Arc::as_ptr(texture)) {
+            return *known;
+        }
         let textures = &mut self.textures;
-        *self.texture_ids.entry(Arc::as_ptr(texture)).or_insert_with(|| {
+        let mut add = || {
             textures.push(Arc::clone(texture));
             TextureId(textures.len() as u32 - 1)
-        })
+        };
+        let id = match &**texture {
+            Texture::Layers(layers) => *self.layered_ids.entry(parts_of(layers)).or_insert_with(add),
+            Texture::Patterned(_) => add(),
+        };
+        self.texture_ids.insert(Arc::as_ptr(texture), id);
+        id
     }
 
     /// A new interior, private to the object that asks.
@@ -148,6 +160,14 @@ impl Builder<'_> {
         }
         looks.len() as u32 - 1
     }
+}
+
+/// Where a texture's parts lie in memory.
+pub(super) type TextureParts = SmallVec<[[usize; 3]; 1]>;
+
+fn parts_of(layers: &[TextureLayer]) -> TextureParts {
+    let normal = |layer: &TextureLayer| layer.normal.as_ref().map_or(0, |n| Arc::as_ptr(n).addr());
+    layers.iter().map(|l| [Arc::as_ptr(&l.pigment).addr(), normal(l), Arc::as_ptr(&l.finish).addr()]).collect()
 }
 
 /// Whether an interior ends up hollow: whoever shares it and is visited last decides.

@@ -8,8 +8,8 @@
 //! Dammertz et al., Shallow Bounding Volume Hierarchies, 2008 (four children); Ize, Robust BVH Ray
 //! Traversal, 2013 (error of the slab test).
 
-use crate::math::{Bounds, Range, Ray};
-use glam::{Vec3, Vec4};
+use crate::math::{Bounds, DVec3, Range, Ray};
+use glam::{BVec4A, Vec3, Vec4};
 use rayon::prelude::*;
 use smallvec::SmallVec;
 use std::ops::{ControlFlow, Range as Span};
@@ -34,18 +34,6 @@ pub(crate) struct Box32 {
 }
 
 impl Box32 {
-    const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
-
-    fn union(&self, other: &Self) -> Self {
-        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
-    }
-
-    /// Half the surface, at a scale where squares of huge sizes stay finite.
-    fn half_area(&self) -> f64 {
-        let d = (self.max - self.min).max(Vec3::ZERO).as_dvec3();
-        d.x * d.y + d.y * d.z + d.z * d.x
-    }
-
     /// Around three corners, exactly.
     pub(crate) fn around_triangle([a, b, c]: [Vec3; 3]) -> Self {
         Self { min: a.min(b).min(c), max: a.max(b).max(c) }
@@ -73,34 +61,83 @@ const LENGTH_SHIFT: u32 = 27;
 const FIRST_MASK: u32 = (1 << LENGTH_SHIFT) - 1;
 
 /// The hierarchy; items are referred to by their position in the order that `build` gives.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Bvh {
     nodes: Vec<Node>,
 }
 
-/// An item during construction.
+/// An item during construction; the fourth lanes hold its number and nothing.
 #[derive(Clone, Copy)]
 struct Item {
-    bounds: Box32,
-    index: u32,
+    min: Vec4,
+    max: Vec4,
+}
+
+/// Makes a number below 2^27 the bits of an ordinary float, with which arithmetic is not slow.
+const ITEM_TAG: u32 = 0x4000_0000;
+
+impl Item {
+    fn new(bounds: &Box32, index: u32) -> Self {
+        Self { min: bounds.min.extend(f32::from_bits(ITEM_TAG | index)), max: bounds.max.extend(0.0) }
+    }
+
+    fn index(&self) -> u32 {
+        self.min.w.to_bits() & FIRST_MASK
+    }
+
+    /// The middle of the box.
+    fn middle(&self) -> Vec4 {
+        self.min * 0.5 + self.max * 0.5
+    }
+}
+
+/// A box under construction; its fourth lanes mean nothing.
+#[derive(Clone, Copy)]
+struct Hull {
+    min: Vec4,
+    max: Vec4,
+}
+
+impl Hull {
+    const EMPTY: Self = Self { min: Vec4::INFINITY, max: Vec4::NEG_INFINITY };
+
+    fn around(items: &[Item]) -> Self {
+        items.iter().fold(Self::EMPTY, |hull, i| hull.with(i.min, i.max))
+    }
+
+    #[inline]
+    fn with(&self, min: Vec4, max: Vec4) -> Self {
+        Self { min: self.min.min(min), max: self.max.max(max) }
+    }
+
+    /// Half the surface, at a scale where squares of huge sizes stay finite.
+    #[inline]
+    fn half_area(&self) -> f64 {
+        let [x, y, z, _] = (self.max - self.min).max(Vec4::ZERO).to_array().map(f64::from);
+        x * y + y * z + z * x
+    }
 }
 
 /// Below this, two threads cost more than they gain.
-const PARALLEL_ITEMS: usize = 8192;
+const PARALLEL_ITEMS: usize = 1 << 15;
 const BINS: usize = 16;
+/// Fewer items get fewer bins: most splits are of few, and there bins cost more than items.
+const FEW_ITEMS: usize = 32;
+const FEW_BINS: usize = 8;
 
 impl Bvh {
     /// Builds over boxes; returns the order in which items must be stored.
     ///
     /// At most 2^27 items; `leaf_size` at most 15.
     pub(crate) fn build(boxes: impl IndexedParallelIterator<Item = Box32>, leaf_size: usize) -> (Self, Vec<u32>) {
-        let mut items: Vec<Item> = boxes.enumerate().map(|(i, bounds)| Item { bounds, index: i as u32 }).collect();
+        let mut items: Vec<Item> = boxes.enumerate().map(|(i, bounds)| Item::new(&bounds, i as u32)).collect();
         let mut nodes = Vec::new();
         if !items.is_empty() {
-            nodes = build_subtree(&mut items, 0, leaf_size, 0);
+            let hull = Hull::around(&items);
+            build_subtree(&mut items, hull, Place { first: 0, leaf_size, depth: 0 }, &mut nodes);
         }
         nodes.shrink_to_fit();
-        (Self { nodes }, items.iter().map(|i| i.index).collect())
+        (Self { nodes }, items.iter().map(Item::index).collect())
     }
 
     /// Goes through leaves that the ray may meet, near ones first. `visit` gets a run of items,
@@ -146,6 +183,31 @@ impl Bvh {
                 }
             };
         }
+    }
+}
+
+impl Bvh {
+    /// Goes through leaves whose boxes hold a point, in no particular order.
+    pub(crate) fn at<B>(&self, point: DVec3, mut visit: impl FnMut(Span<usize>) -> ControlFlow<B>) -> ControlFlow<B> {
+        let upper = point.to_array().map(|c| Vec4::splat(round_up(c)));
+        let lower = point.to_array().map(|c| Vec4::splat(round_down(c)));
+        let mut waiting: SmallVec<[u32; 64]> = SmallVec::new();
+        waiting.extend((!self.nodes.is_empty()).then_some(0));
+        while let Some(current) = waiting.pop() {
+            if current & LEAF != 0 {
+                let first = (current & FIRST_MASK) as usize;
+                visit(first..first + ((current & !LEAF) >> LENGTH_SHIFT) as usize)?;
+                continue;
+            }
+            let node = &self.nodes[current as usize];
+            let mut holds = BVec4A::TRUE;
+            for axis in 0..3 {
+                holds &= node.planes[axis].cmple(upper[axis]) & node.planes[axis + 3].cmpge(lower[axis]);
+            }
+            let holds = holds.bitmask();
+            waiting.extend((0..4).filter(|i| holds & (1 << i) != 0).map(|i| node.children[i]));
+        }
+        ControlFlow::Continue(())
     }
 }
 
@@ -201,10 +263,20 @@ impl Probe {
     }
 }
 
-/// Nodes of a subtree over `items`, which are put in order; `first` is the position of the first.
-fn build_subtree(items: &mut [Item], first: usize, leaf_size: usize, depth: u32) -> Vec<Node> {
-    let mut runs: SmallVec<[(Span<usize>, Box32); 4]> = SmallVec::new();
-    runs.push((0..items.len(), bounds_of(items)));
+/// Where a subtree begins.
+#[derive(Clone, Copy)]
+struct Place {
+    /// Position of the first item.
+    first: usize,
+    leaf_size: usize,
+    depth: u32,
+}
+
+/// Appends the nodes of a subtree over `items`, which are put in order.
+fn build_subtree(items: &mut [Item], hull: Hull, place: Place, nodes: &mut Vec<Node>) {
+    let Place { first, leaf_size, depth } = place;
+    let mut runs: SmallVec<[(Span<usize>, Hull); 4]> = SmallVec::new();
+    runs.push((0..items.len(), hull));
     while runs.len() < 4 {
         let widest = runs
             .iter()
@@ -213,120 +285,147 @@ fn build_subtree(items: &mut [Item], first: usize, leaf_size: usize, depth: u32)
             .max_by(|(_, (_, a)), (_, (_, b))| a.half_area().total_cmp(&b.half_area()));
         let Some((k, _)) = widest else { break };
         let (run, _) = runs.swap_remove(k);
-        let middle = run.start + split(&mut items[run.clone()], depth);
-        for half in [run.start..middle, middle..run.end] {
-            let bounds = bounds_of(&items[half.clone()]);
-            runs.push((half, bounds));
-        }
+        let (length, left, right) = split(&mut items[run.clone()], depth);
+        runs.push((run.start..run.start + length, left));
+        runs.push((run.start + length..run.end, right));
     }
     runs.sort_unstable_by_key(|(run, _)| run.start);
 
-    let mut root = Node { planes: [Vec4::INFINITY; 6], children: [LEAF; 4] };
-    for (slot, (run, bounds)) in runs.iter().enumerate() {
-        for axis in 0..3 {
-            root.planes[axis][slot] = bounds.min[axis];
-            root.planes[axis + 3][slot] = bounds.max[axis];
-        }
-        root.children[slot] = LEAF | (run.len() as u32) << LENGTH_SHIFT | (first + run.start) as u32;
-    }
-    for slot in runs.len()..4 {
-        for axis in 0..3 {
-            root.planes[axis + 3][slot] = f32::NEG_INFINITY;
-        }
-    }
-
+    let root = nodes.len();
+    nodes.push(node_over(&runs, first));
     let parallel = items.len() > PARALLEL_ITEMS;
-    let mut parts: SmallVec<[(usize, usize, &mut [Item]); 4]> = SmallVec::new();
+    let mut parts: SmallVec<[(usize, Hull, Place, &mut [Item]); 4]> = SmallVec::new();
     let mut rest = items;
-    for (slot, (run, _)) in runs.iter().enumerate() {
+    for (slot, (run, hull)) in runs.iter().enumerate() {
         let (part, tail) = rest.split_at_mut(run.len());
         rest = tail;
         if part.len() > leaf_size {
-            parts.push((slot, first + run.start, part));
+            parts.push((slot, *hull, Place { first: first + run.start, depth: depth + 1, ..place }, part));
         }
     }
-    let build =
-        |(slot, first, part): (usize, usize, &mut [Item])| (slot, build_subtree(part, first, leaf_size, depth + 1));
-    let subtrees: Vec<(usize, Vec<Node>)> = if parallel {
-        parts.into_vec().into_par_iter().map(build).collect()
-    } else {
-        parts.into_iter().map(build).collect()
+    if !parallel {
+        for (slot, hull, place, part) in parts {
+            nodes[root].children[slot] = nodes.len() as u32;
+            build_subtree(part, hull, place, nodes);
+        }
+        return;
+    }
+    let build = |(slot, hull, place, part): (usize, Hull, Place, &mut [Item])| {
+        let mut own = Vec::new();
+        build_subtree(part, hull, place, &mut own);
+        (slot, own)
     };
-    let mut nodes = vec![root];
+    let subtrees: Vec<(usize, Vec<Node>)> = parts.into_vec().into_par_iter().map(build).collect();
     for (slot, subtree) in subtrees {
         let offset = nodes.len() as u32;
-        nodes[0].children[slot] = offset;
-        nodes.extend(subtree.into_iter().map(|mut node| {
-            for child in &mut node.children {
-                if *child & LEAF == 0 {
-                    *child += offset;
-                }
-            }
-            node
-        }));
+        nodes[root].children[slot] = offset;
+        nodes.extend(subtree.into_iter().map(|node| node.moved(offset)));
     }
-    nodes
 }
 
-fn bounds_of(items: &[Item]) -> Box32 {
-    items.iter().fold(Box32::EMPTY, |b, i| b.union(&i.bounds))
+/// A node whose children are all leaves, for the start.
+fn node_over(runs: &[(Span<usize>, Hull)], first: usize) -> Node {
+    let mut planes = [Vec4::INFINITY; 6];
+    let mut children = [LEAF; 4];
+    for axis in 0..3 {
+        planes[axis + 3] = Vec4::NEG_INFINITY;
+        for (slot, (_, hull)) in runs.iter().enumerate() {
+            planes[axis][slot] = hull.min[axis];
+            planes[axis + 3][slot] = hull.max[axis];
+        }
+    }
+    for (slot, (run, _)) in runs.iter().enumerate() {
+        children[slot] = LEAF | (run.len() as u32) << LENGTH_SHIFT | (first + run.start) as u32;
+    }
+    Node { planes, children }
 }
 
-/// Puts items in order around the best split of the surface area heuristic; where the right begins.
-fn split(items: &mut [Item], depth: u32) -> usize {
-    let middle = |i: &Item| i.bounds.min * 0.5 + i.bounds.max * 0.5;
-    let (low, high) = items
-        .iter()
-        .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), i| (low.min(middle(i)), high.max(middle(i))));
-    let extent = high - low;
-    let half = items.len() / 2;
+impl Node {
+    /// With nodes counted from further on.
+    fn moved(mut self, offset: u32) -> Self {
+        for child in &mut self.children {
+            if *child & LEAF == 0 {
+                *child += offset;
+            }
+        }
+        self
+    }
+}
+
+/// Puts items in order around the best split of the surface area heuristic; how many go left, and
+/// the boxes of both sides.
+fn split(items: &mut [Item], depth: u32) -> (usize, Hull, Hull) {
+    let middles = items.iter().fold(Hull::EMPTY, |hull, i| hull.with(i.middle(), i.middle()));
+    let extent = (middles.max - middles.min).truncate();
     // A tree deeper than any sane one is finished by halving, which bounds it.
     if extent.max_element() <= 0.0 || !extent.is_finite() || depth > 32 {
-        let axis = extent.max_position();
-        items.select_nth_unstable_by(half, |a, b| middle(a)[axis].total_cmp(&middle(b)[axis]));
-        return half;
+        return halve(items, extent.max_position());
+    }
+    let n_bins = if items.len() < FEW_ITEMS { FEW_BINS } else { BINS };
+    let low = middles.min;
+    let scale = (Vec3::splat(n_bins as f32) / extent).extend(0.0);
+    let last = Vec4::splat((n_bins - 1) as f32);
+    let bin_of = |item: &Item| ((item.middle() - low) * scale).min(last).to_array().map(|b| b as u8 as usize);
+    let mut counts = [[0_usize; BINS]; 3];
+    let mut hulls = [[Hull::EMPTY; BINS]; 3];
+    for item in items.iter() {
+        let bins = bin_of(item);
+        for axis in 0..3 {
+            let bin = bins[axis] % BINS;
+            counts[axis][bin] += 1;
+            hulls[axis][bin] = hulls[axis][bin].with(item.min, item.max);
+        }
     }
     let mut best = (f64::INFINITY, 0, 0);
-    for axis in 0..3 {
-        if extent[axis] <= 0.0 {
-            continue;
-        }
-        let scale = BINS as f32 / extent[axis];
-        let mut bins = [(0usize, Box32::EMPTY); BINS];
-        for item in items.iter() {
-            let bin = &mut bins[bin_of(middle(item)[axis], low[axis], scale)];
-            *bin = (bin.0 + 1, bin.1.union(&item.bounds));
-        }
-        let mut right = [0.0; BINS];
-        let mut sum = (0, Box32::EMPTY);
-        for k in (1..BINS).rev() {
-            sum = (sum.0 + bins[k].0, sum.1.union(&bins[k].1));
-            right[k] = sum.0 as f64 * sum.1.half_area();
-        }
-        let mut sum = (0, Box32::EMPTY);
-        for k in 1..BINS {
-            sum = (sum.0 + bins[k - 1].0, sum.1.union(&bins[k - 1].1));
-            let cost = sum.0 as f64 * sum.1.half_area() + right[k];
-            if cost < best.0 && sum.0 > 0 && sum.0 < items.len() {
-                best = (cost, axis, k);
-            }
+    for axis in (0..3).filter(|axis| extent[*axis] > 0.0) {
+        let (cost, bin) = cheapest(&counts[axis][..n_bins], &hulls[axis][..n_bins], items.len());
+        if cost < best.0 {
+            best = (cost, axis, bin);
         }
     }
     let (cost, axis, bin) = best;
     if cost == f64::INFINITY {
-        return half;
+        return halve(items, extent.max_position());
     }
-    let scale = BINS as f32 / extent[axis];
     let mut boundary = 0;
     for i in 0..items.len() {
-        if bin_of(middle(&items[i])[axis], low[axis], scale) < bin {
+        if bin_of(&items[i])[axis] < bin {
             items.swap(i, boundary);
             boundary += 1;
         }
     }
-    boundary
+    let side = |bins: &[Hull]| bins.iter().fold(Hull::EMPTY, |sum, h| sum.with(h.min, h.max));
+    (boundary, side(&hulls[axis][..bin]), side(&hulls[axis][bin..]))
 }
 
-fn bin_of(x: f32, low: f32, scale: f32) -> usize {
-    (((x - low) * scale) as usize).min(BINS - 1)
+/// Cost of the best boundary between bins, and the first bin on its right.
+fn cheapest(counts: &[usize], hulls: &[Hull], n_items: usize) -> (f64, usize) {
+    let mut right = [0.0; BINS];
+    let mut sum = (0, Hull::EMPTY);
+    for k in (1..counts.len()).rev() {
+        if counts[k] > 0 {
+            sum = (sum.0 + counts[k], sum.1.with(hulls[k].min, hulls[k].max));
+        }
+        right[k] = sum.0 as f64 * sum.1.half_area();
+    }
+    let mut best = (f64::INFINITY, 0);
+    let mut sum = (0, Hull::EMPTY);
+    for k in 1..counts.len() {
+        if counts[k - 1] == 0 {
+            continue;
+        }
+        sum = (sum.0 + counts[k - 1], sum.1.with(hulls[k - 1].min, hulls[k - 1].max));
+        let cost = sum.0 as f64 * sum.1.half_area() + right[k];
+        if cost < best.0 && sum.0 < n_items {
+            best = (cost, k);
+        }
+    }
+    best
+}
+
+/// Half to each side of the median along an axis.
+fn halve(items: &mut [Item], axis: usize) -> (usize, Hull, Hull) {
+    let half = items.len() / 2;
+    items.select_nth_unstable_by(half, |a, b| a.middle()[axis].total_cmp(&b.middle()[axis]));
+    (half, Hull::around(&items[..half]), Hull::around(&items[half..]))
 }

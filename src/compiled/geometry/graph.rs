@@ -6,6 +6,7 @@
 //! decided in the same numbers in which they were found.
 
 use super::bvh::{Box32, Bvh};
+use super::parts::Parts;
 use super::record::{InteriorId, LightGroupId, ObjectId, RayKind, TextureId};
 use super::shape::{Primitive as _, Shape, Sphere};
 use crate::math::{Bounds, Transform};
@@ -147,6 +148,8 @@ pub(crate) enum NodeKind {
         children: Box<[u32]>,
         /// Written as `difference`: cut faces take the texture of the first child alone.
         is_difference: bool,
+        /// Finds children where there are many.
+        parts: Option<Box<Parts>>,
     },
 }
 
@@ -158,6 +161,8 @@ pub(crate) struct Node {
     pub(crate) bounds: Bounds,
     /// Around all points inside; infinite where unknown.
     pub(crate) extent: Bounds,
+    /// Around all points outside; infinite where unknown.
+    pub(crate) gap: Bounds,
     /// Nodes in which a hit must be.
     pub(crate) clips: Box<[u32]>,
     /// Nodes that a ray must meet, or start in.
@@ -171,9 +176,15 @@ impl Node {
     /// A union of nothing.
     pub(crate) fn placeholder() -> Self {
         Self {
-            kind: NodeKind::Csg { operation: Operation::Union, children: Box::default(), is_difference: false },
+            kind: NodeKind::Csg {
+                operation: Operation::Union,
+                children: Box::default(),
+                is_difference: false,
+                parts: None,
+            },
             bounds: Bounds::EMPTY,
             extent: Bounds::EMPTY,
+            gap: Bounds::INFINITE,
             clips: Box::default(),
             bounded_by: Box::default(),
             skips: Skips::default(),

@@ -13,6 +13,7 @@
 mod bvh;
 mod graph;
 mod inside;
+mod parts;
 mod record;
 mod shape;
 mod solid;
@@ -28,6 +29,7 @@ pub use solid::Scratch;
 pub(crate) use graph::{
     Group, Instance, Item, ItemKind, Look, Node, NodeKind, Operation, Placement, Primitive, Skips, padded,
 };
+pub(crate) use parts::Parts;
 pub(crate) use shape::{
     Blob, BlobPart, Cone, Core, Cuboid, Disc, HeightField, HeightGrid, Lathe, Mesh, MeshData, MeshTree, Outline, Ovus,
     Plane, Polygon, Polynomial, Prism, Quadric, Segment, Shape, SmoothTriangle, Sor, SorSegment, Sphere,

@@ -70,19 +70,12 @@ impl Geometry {
         let mut reverses = !node.clips.is_empty();
         match &node.kind {
             NodeKind::Primitive(p) => self.primitive_crossings(*p, ray, range, scratch),
-            NodeKind::Csg { operation, children, .. } => {
+            NodeKind::Csg { operation, children, parts, .. } => {
                 reverses |= *operation != Operation::Union;
-                for (i, child) in children.iter().enumerate() {
-                    if self.hides(*operation, *child, kind) {
-                        continue;
-                    }
-                    let first = scratch.crossings.len();
-                    self.crossings(*child, ray, range, kind, false, scratch);
-                    if *operation != Operation::Union {
-                        retain(&mut scratch.crossings, first, |c| {
-                            self.survives(*operation, children, i, ray.at(c.t), kind)
-                        });
-                    }
+                let mut child = |i: usize| self.child_crossings(node, i, ray, range, kind, scratch);
+                match parts {
+                    Some(parts) => parts.met_by(ray, range).iter().for_each(|i| child(*i as usize)),
+                    None => (0..children.len()).for_each(child),
                 }
             }
         }
@@ -92,6 +85,27 @@ impl Geometry {
         if reverses && !(is_root && scratch.crossings.len() < 2) {
             scratch.crossings[start..].reverse();
         }
+    }
+
+    /// Appends what a node's operation leaves of the crossings of one child.
+    fn child_crossings(&self, node: &Node, i: usize, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch) {
+        let NodeKind::Csg { operation, children, parts, .. } = &node.kind else { return };
+        if self.hides(*operation, children[i], kind) {
+            return;
+        }
+        let first = scratch.crossings.len();
+        self.crossings(children[i], ray, range, kind, false, scratch);
+        if *operation == Operation::Union {
+            return;
+        }
+        retain(&mut scratch.crossings, first, |c| {
+            let point = ray.at(c.t);
+            let leaves = |other: usize| other == i || self.leaves(*operation, children[other], point, kind);
+            match parts {
+                Some(parts) => parts.all_at(point, leaves),
+                None => (0..children.len()).all(leaves),
+            }
+        });
     }
 
     /// Crossings of one primitive.
@@ -106,13 +120,12 @@ impl Geometry {
         crossings.extend(hits.iter().map(|h| Crossing { t: h.t, primitive: index, part: h.part }));
     }
 
-    /// Whether a crossing of child `own` at `point` is left by the other children.
-    fn survives(&self, operation: Operation, children: &[u32], own: usize, point: DVec3, kind: RayKind) -> bool {
-        let mut others = children.iter().enumerate().filter(|(i, _)| *i != own).map(|(_, n)| *n);
+    /// Whether another child leaves a crossing at `point`.
+    fn leaves(&self, operation: Operation, other: u32, point: DVec3, kind: RayKind) -> bool {
         match operation {
             Operation::Union => true,
-            Operation::Merge => others.all(|n| self.hides(operation, n, kind) || !self.node_contains(n, point)),
-            Operation::Intersection => others.all(|n| self.node_contains(n, point)),
+            Operation::Merge => self.hides(operation, other, kind) || !self.node_contains(other, point),
+            Operation::Intersection => self.node_contains(other, point),
         }
     }
 
@@ -145,12 +158,20 @@ impl Geometry {
         if !node.extent.contains(point) {
             return false;
         }
+        if !node.gap.contains(point) {
+            return true;
+        }
         let inside = match &node.kind {
             NodeKind::Primitive(p) => self.primitive_contains(*p, point),
-            NodeKind::Csg { operation: Operation::Intersection, children, .. } => {
-                children.iter().all(|n| self.node_contains(*n, point))
+            NodeKind::Csg { operation, children, parts, .. } => {
+                // Inside all, or not outside all.
+                let all = *operation == Operation::Intersection;
+                let same = |i: usize| self.node_contains(children[i], point) == all;
+                all == match parts {
+                    Some(parts) => parts.all_at(point, same),
+                    None => (0..children.len()).all(same),
+                }
             }
-            NodeKind::Csg { children, .. } => children.iter().any(|n| self.node_contains(*n, point)),
         };
         inside && node.clips.iter().all(|n| self.node_contains(*n, point))
     }

@@ -247,7 +247,7 @@ impl Geometry {
                 let texture = self.looks[self.primitives[*p as usize].look as usize].texture;
                 found.extend(texture.map(|t| (t, 1.0)));
             }
-            NodeKind::Csg { operation, children, is_difference } => {
+            NodeKind::Csg { operation, children, is_difference, .. } => {
                 let consulted =
                     if *is_difference && *operation == Operation::Intersection { 1 } else { children.len() };
                 for child in &children[..consulted.min(children.len())] {

@@ -114,7 +114,8 @@ impl Pattern {
 
 /// Into a space: by the transpose of its `outer_from_inner` map, which is the inverse of ours.
 fn inward(n: DVec3, inner_from_outer: DMat3, keep_length: bool) -> DVec3 {
-    let m = inner_from_outer.inverse().transpose() * n;
+    // Most statements do not move; the inverse of the identity is the identity.
+    let m = if inner_from_outer == DMat3::IDENTITY { n } else { inner_from_outer.inverse().transpose() * n };
     if keep_length { m } else { m.normalize_or(n) }
 }
 

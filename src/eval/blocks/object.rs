@@ -161,24 +161,24 @@ impl Evaluator<'_> {
 
     pub(super) fn layer_over(
         &mut self,
-        below: Option<PlacedTexture>,
+        below: Option<Box<PlacedTexture>>,
         top: Texture,
         span: Span,
-    ) -> SourceResult<PlacedTexture> {
+    ) -> SourceResult<Box<PlacedTexture>> {
         let texture = match below {
-            Some(below) => self.stack(in_place(below), top, span)?,
+            Some(below) => self.stack(in_place(*below), top, span)?,
             None => top,
         };
-        Ok(PlacedTexture::new(Arc::new(texture)))
+        Ok(Box::new(PlacedTexture::new(Arc::new(texture))))
     }
 
     /// `pigment`, `normal` or `finish` of an object: a part of its texture's top layer.
     pub(super) fn change_top_layer(
         &mut self,
-        placed: Option<PlacedTexture>,
+        placed: Option<Box<PlacedTexture>>,
         span: Span,
-    ) -> SourceResult<PlacedTexture> {
-        let mut layers = match placed.map(in_place) {
+    ) -> SourceResult<Box<PlacedTexture>> {
+        let mut layers = match placed.map(|p| in_place(*p)) {
             None => vec![self.defaults.layer.clone()],
             Some(Texture::Layers(layers)) => layers,
             Some(Texture::Patterned(_)) => {
@@ -188,7 +188,7 @@ impl Evaluator<'_> {
         let mut top = layers.pop().unwrap_or_else(TextureLayer::default);
         self.layer_item(&mut top)?;
         layers.push(top);
-        Ok(PlacedTexture::new(Arc::new(Texture::Layers(layers))))
+        Ok(Box::new(PlacedTexture::new(Arc::new(Texture::Layers(layers)))))
     }
 
     fn flag_modifier(&mut self, keyword: K, object: &mut Object) -> SourceResult<bool> {

@@ -83,7 +83,8 @@ impl MeshTree {
         let prepared = TriangleRay::new(ray);
         self.bvh.walk(ray, range, |faces, t_max| {
             for face in faces {
-                if let Some(t) = prepared.crossing(self.corners(face))
+                let corners = self.data.faces[face].map(|i| &self.data.vertices[i as usize]);
+                if let Some(t) = prepared.crossing(corners)
                     && range.min < t
                     && t < *t_max
                 {

@@ -13,6 +13,8 @@ pub(super) struct TriangleRay {
     origin: DVec3,
     direction: DVec3,
     axes: [usize; 3],
+    /// The origin's coordinates along `axes`.
+    sheared_origin: [f64; 3],
     shear: [f64; 2],
 }
 
@@ -23,30 +25,39 @@ impl TriangleRay {
         let along = d.abs().max_position();
         let axes = [(along + 1) % 3, (along + 2) % 3, along];
         let shear = [d[axes[0]] / d[along], d[axes[1]] / d[along]];
-        Self { origin: ray.origin, direction: d, axes, shear }
+        let sheared_origin = axes.map(|axis| ray.origin[axis]);
+        Self { origin: ray.origin, direction: d, axes, sheared_origin, shear }
     }
 
     /// Ray parameter of the crossing, anywhere on the line.
     ///
     /// `t` comes from the plane, whose sign is right for an origin off the plane by more than the
-    /// rounding of the corners; the weights below would lose that near the surface.
+    /// rounding of the corners; the weights would lose that near the surface.
     #[inline]
-    pub(super) fn crossing(&self, [a, b, c]: [DVec3; 3]) -> Option<f64> {
-        let [a, b, c] = [a - self.origin, b - self.origin, c - self.origin];
-        let flat = |p: DVec3| {
-            let along = p[self.axes[2]];
-            (p[self.axes[0]] - self.shear[0] * along, p[self.axes[1]] - self.shear[1] * along)
-        };
-        let (pa, pb, pc) = (flat(a), flat(b), flat(c));
-        let u = pc.0 * pb.1 - pc.1 * pb.0;
-        let v = pa.0 * pc.1 - pa.1 * pc.0;
-        let w = pb.0 * pa.1 - pb.1 * pa.0;
-        if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
+    pub(super) fn crossing<T: Into<f64> + Copy>(&self, corners: [&[T; 3]; 3]) -> Option<f64> {
+        if !self.meets(corners) {
             return None;
         }
+        let [a, b, c] = corners.map(|p| DVec3::from(p.map(Into::into)) - self.origin);
         let normal = (b - a).cross(c - a);
         let t = normal.dot(a) / normal.dot(self.direction);
         t.is_finite().then_some(t)
+    }
+
+    /// Whether the line goes through the triangle or its edges. Coordinates are read from memory
+    /// by axis, which is why they come as arrays.
+    #[inline]
+    fn meets<T: Into<f64> + Copy>(&self, corners: [&[T; 3]; 3]) -> bool {
+        let [x, y, along] = self.axes;
+        let [pa, pb, pc] = corners.map(|p| {
+            let depth = p[along].into() - self.sheared_origin[2];
+            let flat = [p[x].into() - self.sheared_origin[0], p[y].into() - self.sheared_origin[1]];
+            (flat[0] - self.shear[0] * depth, flat[1] - self.shear[1] * depth)
+        });
+        let u = pc.0 * pb.1 - pc.1 * pb.0;
+        let v = pa.0 * pc.1 - pa.1 * pc.0;
+        let w = pb.0 * pa.1 - pb.1 * pa.0;
+        !((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0))
     }
 }
 
@@ -83,7 +94,7 @@ impl Primitive for Triangle {
     }
 
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
-        let t = TriangleRay::new(ray).crossing(self.vertices)?;
+        let t = TriangleRay::new(ray).crossing(self.vertices.each_ref().map(AsRef::as_ref))?;
         range.contains(t).then_some(ShapeHit { t, part: 0 })
     }
 

@@ -1,0 +1,83 @@
+//! Hierarchies over the children of a solid's node, for nodes with many.
+//!
+//! A ray needs the children whose surfaces it may meet; a point needs those that may have a say in
+//! whether it is inside. Both get positions in the list of children.
+
+use super::bvh::{Box32, Bvh};
+use super::solid::may_meet;
+use crate::math::{Bounds, DVec3, Range, Ray};
+use rayon::prelude::*;
+use smallvec::SmallVec;
+use std::ops::ControlFlow;
+
+/// With fewer children, going through all of them is faster.
+const WORTH_A_TREE: usize = 8;
+
+/// Items in a leaf: a child's own box is tested again.
+const LEAF_SIZE: usize = 2;
+
+/// Children of a node by where they are.
+#[derive(Clone, Debug)]
+pub(crate) struct Parts {
+    /// By the boxes of surfaces.
+    surfaces: Tree,
+    /// By the boxes outside of which a child has no say in what is inside.
+    says: Tree,
+}
+
+impl Parts {
+    /// Over the children's boxes; `None` for few children.
+    pub(crate) fn new(surfaces: &[Bounds], says: &[Bounds]) -> Option<Box<Self>> {
+        (surfaces.len() >= WORTH_A_TREE)
+            .then(|| Box::new(Self { surfaces: Tree::new(surfaces), says: Tree::new(says) }))
+    }
+
+    /// Children whose surfaces the ray may meet, in their order.
+    pub(super) fn met_by(&self, ray: &Ray, range: Range) -> SmallVec<[u32; 16]> {
+        let mut met: SmallVec<[u32; 16]> = self.surfaces.unbounded.iter().copied().collect();
+        if may_meet(&self.surfaces.hull, ray, range) {
+            let _: ControlFlow<()> = self.surfaces.bvh.walk(ray, range, |run, _| {
+                met.extend_from_slice(&self.surfaces.order[run]);
+                ControlFlow::Continue(())
+            });
+        }
+        met.sort_unstable();
+        met
+    }
+
+    /// Whether a test holds for every child that has a say about a point.
+    pub(super) fn all_at(&self, point: DVec3, mut test: impl FnMut(usize) -> bool) -> bool {
+        let says = &self.says;
+        let mut holds = |children: &[u32]| children.iter().all(|child| test(*child as usize));
+        holds(&says.unbounded)
+            && (!says.hull.contains(point)
+                || says
+                    .bvh
+                    .at(
+                        point,
+                        |run| if holds(&says.order[run]) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) },
+                    )
+                    .is_continue())
+    }
+}
+
+/// Boxes in a hierarchy, and what has none.
+#[derive(Clone, Debug)]
+struct Tree {
+    bvh: Bvh,
+    /// Position of each box in the order of the hierarchy.
+    order: Vec<u32>,
+    unbounded: Vec<u32>,
+    hull: Bounds,
+}
+
+impl Tree {
+    fn new(boxes: &[Bounds]) -> Self {
+        let numbers = 0..boxes.len() as u32;
+        let occupied = numbers.filter(|i| !boxes[*i as usize].is_empty());
+        let (bounded, unbounded): (Vec<u32>, Vec<u32>) = occupied.partition(|i| boxes[*i as usize].is_finite());
+        let (bvh, order) = Bvh::build(bounded.par_iter().map(|i| Box32::from(&boxes[*i as usize])), LEAF_SIZE);
+        let hull = bounded.iter().fold(Bounds::EMPTY, |sum, i| sum.union(&boxes[*i as usize]));
+        Self { bvh, order: order.iter().map(|i| bounded[*i as usize]).collect(), unbounded, hull }
+    }
+}
