@@ -51,17 +51,20 @@ impl GeometryQueries for Queries {
         self.geometry(object).bounds()
     }
 
-    fn pigment_function(&self, pigment: &Arc<scene::Pigment>) -> Arc<dyn Callable> {
-        let settings = Settings::default();
-        let compiled = TextureCompiler::new(&settings).pigment(pigment);
+    fn pigment_function(&self, pigment: &Arc<scene::Pigment>, settings: &Settings) -> Arc<dyn Callable> {
+        let compiled = TextureCompiler::new(&for_functions(settings)).pigment(pigment);
         Arc::new(PigmentFunction(compiled.unwrap_or(Pigment::Solid(crate::math::Color::BLACK))))
     }
 
-    fn pattern_function(&self, pattern: &Arc<scene::Pattern>) -> Arc<dyn Callable> {
-        let settings = Settings::default();
-        let compiled = TextureCompiler::new(&settings).pattern(pattern);
+    fn pattern_function(&self, pattern: &Arc<scene::Pattern>, settings: &Settings) -> Arc<dyn Callable> {
+        let compiled = TextureCompiler::new(&for_functions(settings)).pattern(pattern);
         Arc::new(PatternFunction(compiled.unwrap_or(Pattern::of(crate::compiled::texture::PatternKind::None))))
     }
+}
+
+/// The settings that functions see: the scene's own, but as in POV-Ray 3.7 always the default number of waves.
+fn for_functions(settings: &Settings) -> Settings {
+    Settings { number_of_waves: Settings::default().number_of_waves, ..settings.clone() }
 }
 
 fn point(args: &[f64]) -> DVec3 {
@@ -94,5 +97,33 @@ impl Callable for PatternFunction {
 
     fn call(&self, args: &[f64]) -> [f64; 5] {
         [self.0.value(point(args), &Context::default()), 0.0, 0.0, 0.0, 0.0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::eval::{Memory, Options, evaluate};
+
+    /// What a scene prints after these global settings.
+    fn printed(settings: &str, function: &str) -> String {
+        let text = format!(
+            "#version 3.7; global_settings {{ {settings} }} #declare F = function {{ {function} }}
+            #declare V = F(1.3, 2.7, -0.4); #debug str(V.x, 0, 6)"
+        );
+        let host = Memory::new([("a.pov", text.as_str())]);
+        assert!(evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default()).is_ok(), "{text}");
+        host.messages()
+    }
+
+    /// Values printed by POV-Ray 3.7.0.10.
+    #[test]
+    fn functions_follow_the_global_settings() {
+        let bozo = "pigment { bozo color_map { [0 rgb 0] [1 rgb 1] } }";
+        assert_eq!(printed("noise_generator 1", bozo), "0.589639");
+        assert_eq!(printed("noise_generator 3", bozo), "0.787601");
+        let waves = "pigment { waves color_map { [0 rgb 0] [1 rgb 1] } }";
+        assert_eq!(printed("number_of_waves 3", waves), "0.513905");
+        assert_eq!(printed("number_of_waves 10", waves), "0.513905");
     }
 }
