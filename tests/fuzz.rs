@@ -65,8 +65,31 @@ fn tokens(text: &[u8]) -> Vec<&[u8]> {
 
 /// What numbers and brackets are exchanged for.
 const ODDITIES: [&[u8]; 26] = [
-    b"0", b"-1", b"1e300", b"-1e-300", b"1e400", b"1/0", b"65536", b"4294967296", b"<0,0,0>", b"<1e200,-1,0>", b"{",
-    b"}", b"(", b")", b"[", b"]", b",", b";", b"\"", b"#end", b"#else", b"#if (0)", b"#while (1)", b"inverse", b"x",
+    b"0",
+    b"-1",
+    b"1e300",
+    b"-1e-300",
+    b"1e400",
+    b"1/0",
+    b"65536",
+    b"4294967296",
+    b"<0,0,0>",
+    b"<1e200,-1,0>",
+    b"{",
+    b"}",
+    b"(",
+    b")",
+    b"[",
+    b"]",
+    b",",
+    b";",
+    b"\"",
+    b"#end",
+    b"#else",
+    b"#if (0)",
+    b"#while (1)",
+    b"inverse",
+    b"x",
     b"/*",
 ];
 

@@ -67,7 +67,7 @@ impl Manner {
     }
 
     /// What receives the texts of `#debug` and its like.
-    pub(super) fn from_scene(&self) -> fn(Stream, &str) {
+    pub(super) fn scene_output(&self) -> fn(Stream, &str) {
         match self.message_format {
             Format::Text => |_, text| {
                 let _ = write!(std::io::stderr(), "{text}");

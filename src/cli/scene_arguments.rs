@@ -67,7 +67,7 @@ impl SceneArguments {
 
     /// The file system as the scene may see it.
     pub(super) fn host(&self) -> Disk {
-        Disk::new(&self.scene, &self.folders(), &self.allow_write, self.messages.from_scene())
+        Disk::new(&self.scene, &self.folders(), &self.allow_write, self.messages.scene_output())
     }
 
     /// The scene's own folder is searched, too, which POV-Ray leaves out.

@@ -79,9 +79,7 @@ fn elsewhere(expected: &str, found: &Found<'_>) -> Option<String> {
         Found::Sign('<' | '>' | '=' | '!') if expected.starts_with("';'") => {
             "a comparison in a declaration must stand in parentheses: (A > 2)"
         }
-        Found::Sign(',') if expected.starts_with("')' to close") => {
-            "vectors stand in angle brackets: <1, 2, 3>"
-        }
+        Found::Sign(',') if expected.starts_with("')' to close") => "vectors stand in angle brackets: <1, 2, 3>",
         Found::Sign(',') if expected.starts_with("'>'") => "a vector has two to five components",
         Found::Number if expected.starts_with("')' behind the arguments") => "arguments are separated by commas",
         Found::Number if expected == "a string" => "str(NUMBER, 0, -1) makes a string of a number",

@@ -368,7 +368,9 @@ impl Evaluator<'_> {
                 Role::Main | Role::Data => continue,
             };
             // A recursion is told once.
-            if diagnostic.trace.len() < MAX_TRAIL && diagnostic.trace.last().is_none_or(|(span, _)| *span != cursor.call) {
+            if diagnostic.trace.len() < MAX_TRAIL
+                && diagnostic.trace.last().is_none_or(|(span, _)| *span != cursor.call)
+            {
                 diagnostic.trace.push((cursor.call, what));
             }
         }

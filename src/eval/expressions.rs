@@ -409,7 +409,8 @@ impl Evaluator<'_> {
                 let arguments = self.float_arguments()?;
                 let (wanted, given) = (function.n_parameters, arguments.len());
                 if wanted != given {
-                    return self.error(span, format!("this function takes {}, not {given}", arguments_in_words(wanted)));
+                    return self
+                        .error(span, format!("this function takes {}, not {given}", arguments_in_words(wanted)));
                 }
                 let n = function.width().clamp(1, 5) as u8;
                 Ok(Some(Number { n, v: function.call(&arguments) }))

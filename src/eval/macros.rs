@@ -90,7 +90,8 @@ impl Evaluator<'_> {
         while arguments.len() < wanted {
             if self.fill(false)? == TokenKind::Punct(')') {
                 let (name, given) = (self.names.word(called.name).clone(), arguments.len());
-                return self.error(span, format!("the macro '{name}' takes {}, not {given}", arguments_in_words(wanted)));
+                return self
+                    .error(span, format!("the macro '{name}' takes {}, not {given}", arguments_in_words(wanted)));
             }
             let start = self.span();
             let argument = self.argument()?;

@@ -11,8 +11,8 @@ macro_rules! embedded {
 }
 
 embedded! {
-    "arrays.inc" "colors.inc" "consts.inc" "finish.inc" "functions.inc" "glass.inc" "golds.inc" "math.inc" "metals.inc"
-    "rand.inc" "shapes.inc" "strings.inc" "transforms.inc"
+    "arrays.inc" "colors.inc" "consts.inc" "finish.inc" "functions.inc" "glass.inc" "golds.inc" "math.inc"
+    "metals.inc" "rand.inc" "shapes.inc" "stdinc.inc" "strings.inc" "textures.inc" "transforms.inc"
 }
 
 /// The text of a standard include file.
