@@ -49,7 +49,7 @@ fn says(said: &str, words: &[&str]) {
 
 #[test]
 fn files_that_are_no_scenes() -> std::io::Result<()> {
-    check(b"\0\0\0\0", &["bad.pov:1:1", "no meaning"])?;
+    check(b"\0\0\0\0spere", &["bad.pov:1:"])?;
     check(b"\x7fELF\x02\x01\x01\0\0\0\0\xff\xfe", &["bad.pov:1:1", "no meaning"])?;
     check(b"\xff\xfe s\0p\0h\0e\0r\0e\0", &["bad.pov:1:"])?;
     check(b"sphere { 0, 1 pigment { rgb \xe9 } }", &["bad.pov:1:29", "no meaning"])
