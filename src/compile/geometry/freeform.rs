@@ -1,6 +1,7 @@
 //! Shapes that are converted rather than folded: large data, shared by all copies.
 
 use super::builder::Builder;
+use super::implicit;
 use super::looks::Context;
 use super::primitive::Folded;
 use super::sweep;
@@ -33,9 +34,9 @@ pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Conte
             }
         },
         Shape::SphereSweep { .. } => "sphere_sweep",
-        Shape::Isosurface(_) => "isosurface",
+        Shape::Isosurface(surface) => return Some(Some(placed(implicit::isosurface(surface), inside.group_from_parent))),
         Shape::Parametric(_) => "parametric",
-        Shape::JuliaFractal(_) => "julia_fractal",
+        Shape::JuliaFractal(julia) => return Some(Some(placed(implicit::julia(julia), inside.group_from_parent))),
         Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base.distance(*cap) < 1e-10 => {
             let message = "degenerate cylinder or cone: both ends are the same point";
             builder.errors.push(Diagnostic::error(object.span, message));

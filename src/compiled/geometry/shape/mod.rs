@@ -5,8 +5,11 @@
 
 mod blob;
 mod cone;
+mod container;
 mod cuboid;
 mod height_field;
+mod isosurface;
+mod julia;
 mod lathe;
 mod mesh;
 mod outline;
@@ -24,8 +27,11 @@ mod triangle;
 
 pub(crate) use blob::{Blob, BlobPart, Core};
 pub(crate) use cone::Cone;
+pub(crate) use container::Container;
 pub(crate) use cuboid::Cuboid;
 pub(crate) use height_field::{HeightField, HeightGrid};
+pub(crate) use isosurface::Isosurface;
+pub(crate) use julia::{Julia, JuliaFunction};
 pub(crate) use lathe::Lathe;
 pub(crate) use mesh::{Mesh, MeshData, MeshTree};
 pub(crate) use outline::Segment;
@@ -155,6 +161,8 @@ shapes! {
     Triangle(Box<Triangle>),
     SmoothTriangle(Box<SmoothTriangle>),
     Mesh(Mesh),
+    Isosurface(Box<Isosurface>),
+    Julia(Box<Julia>),
 }
 
 impl<P: Primitive> Primitive for Box<P> {
