@@ -1,6 +1,6 @@
-//! Shapes given by functions: isosurface, julia_fractal.
+//! Shapes given by functions: isosurface, parametric, julia_fractal.
 
-use crate::compiled::geometry::{Container, Isosurface, Julia, JuliaFunction, Shape as Compiled};
+use crate::compiled::geometry::{Container, Isosurface, Julia, JuliaFunction, Parametric, Shape as Compiled};
 use crate::math::Bounds;
 use crate::scene;
 
@@ -23,6 +23,18 @@ pub(super) fn isosurface(surface: &scene::Isosurface) -> Compiled {
         evaluate: surface.evaluate,
         max_trace: surface.max_trace,
         open: surface.open,
+    }))
+}
+
+/// A parametric surface. POV-Ray's `precompute` only saves it time.
+pub(super) fn parametric(surface: &scene::Parametric) -> Compiled {
+    Compiled::Parametric(Box::new(Parametric {
+        functions: surface.functions.clone(),
+        min: surface.min,
+        max: surface.max,
+        container: container(surface.container),
+        accuracy: surface.accuracy,
+        max_gradient: surface.max_gradient,
     }))
 }
 

@@ -2,8 +2,8 @@
 
 use super::tests::{check, inside, moved, object, v};
 use crate::function::{Binary as B, Function, FunctionBody, ProgramBuilder, Slot, Unary as U};
-use crate::math::{DVec3, DVec4, Transform};
-use crate::scene::{Container, Isosurface, JuliaFractal, JuliaFunction, Object, Shape};
+use crate::math::{DVec2, DVec3, DVec4, Transform};
+use crate::scene::{Container, Isosurface, JuliaFractal, JuliaFunction, Object, Parametric, Shape};
 use std::sync::Arc;
 
 /// A function of x, y and z.
@@ -114,4 +114,45 @@ fn julia_sets() {
     });
     assert!(inside(&sine, v(-1.1, 1.0, 0.8)) && inside(&sine, v(0.7, -0.8, 1.3)));
     assert!(!inside(&sine, v(0.8, -1.5, -0.2)));
+}
+
+#[test]
+fn parametric_surfaces() {
+    let parametric = |functions, min: [f64; 2], max: [f64; 2]| {
+        object(Shape::Parametric(Arc::new(Parametric {
+            functions,
+            min: DVec2::from(min),
+            max: DVec2::from(max),
+            container: Container::Box { min: DVec3::NEG_ONE, max: DVec3::ONE },
+            accuracy: 0.001,
+            max_gradient: 1.0,
+            precompute: None,
+        })))
+    };
+    let scaled = |b: &mut ProgramBuilder, factor: Slot, of: Slot| {
+        let size = b.constant(0.6);
+        let product = b.binary(B::Mul, size, factor);
+        b.binary(B::Mul, product, of)
+    };
+    let ball = [
+        function(|b, [u, v, _]| {
+            let (s, t) = (b.unary(U::Cos, u), b.unary(U::Cos, v));
+            scaled(b, s, t)
+        }),
+        function(|b, [_, v, _]| {
+            let (one, s) = (b.constant(1.0), b.unary(U::Sin, v));
+            scaled(b, one, s)
+        }),
+        function(|b, [u, v, _]| {
+            let (s, t) = (b.unary(U::Sin, u), b.unary(U::Cos, v));
+            scaled(b, s, t)
+        }),
+    ];
+    let from = v(0.1, 0.2, -3.0);
+    let normal = v(-0.167_284_179_757_106_5, -0.334_501_427_752_934_8, 0.927_429_133_699_105_7);
+    let found = Some((v(0.1, 0.2, -0.558_246_134_052_902_1), Some(normal)));
+    check(&parametric(ball, [0.0, -1.5], [6.3, 1.5]), from, DVec3::Z, found);
+    let sheet = [function(|_, [u, _, _]| u), function(|_, [_, v, _]| v), function(|b, _| b.constant(0.0))];
+    let sheet = parametric(sheet, [-0.5, -0.5], [0.5, 0.5]);
+    check(&sheet, from, DVec3::Z, Some((v(0.1, 0.2, -0.001_976_562_499_999_89), None)));
 }

@@ -76,8 +76,7 @@ impl Julia {
 
     /// Where POV-Ray's inside test starts: for most functions z is mistaken for y.
     fn tested_start(&self, p: DVec3) -> DVec4 {
-        let polynomial =
-            matches!(self.function, JuliaFunction::Sqr | JuliaFunction::Cube | JuliaFunction::Reciprocal);
+        let polynomial = matches!(self.function, JuliaFunction::Sqr | JuliaFunction::Cube | JuliaFunction::Reciprocal);
         self.start(if polynomial { p } else { p.with_z(p.y) })
     }
 
@@ -90,9 +89,7 @@ impl Julia {
         let (real, vector) = (q.x, DVec3::new(q.y, q.z, q.w));
         let squared = vector.length_squared();
         let (r, v) = match self.function {
-            JuliaFunction::Cube => {
-                (real * (real * real - 3.0 * squared), vector * (3.0 * real * real - squared))
-            }
+            JuliaFunction::Cube => (real * (real * real - 3.0 * squared), vector * (3.0 * real * real - squared)),
             _ => (real * real - squared, vector * (2.0 * real)),
         };
         DVec4::new(r, v.x, v.y, v.z)

@@ -14,6 +14,7 @@ mod lathe;
 mod mesh;
 mod outline;
 mod ovus;
+mod parametric;
 mod plane;
 mod polygon;
 mod polynomial;
@@ -21,6 +22,7 @@ mod prism;
 mod quadric;
 mod sor;
 mod sphere;
+mod sphere_sweep;
 mod superellipsoid;
 mod torus;
 mod triangle;
@@ -36,6 +38,7 @@ pub(crate) use lathe::Lathe;
 pub(crate) use mesh::{Mesh, MeshData, MeshTree};
 pub(crate) use outline::Segment;
 pub(crate) use ovus::Ovus;
+pub(crate) use parametric::Parametric;
 pub(crate) use plane::{Disc, Plane};
 pub(crate) use polygon::Polygon;
 pub(crate) use polynomial::Polynomial;
@@ -43,6 +46,7 @@ pub(crate) use prism::{Outline, Prism};
 pub(crate) use quadric::Quadric;
 pub(crate) use sor::{Sor, SorSegment};
 pub(crate) use sphere::{Sphere, spherical_uv};
+pub(crate) use sphere_sweep::{SphereSweep, SweepSegment};
 pub(crate) use superellipsoid::Superellipsoid;
 pub(crate) use torus::Torus;
 pub(crate) use triangle::{SmoothTriangle, Triangle};
@@ -163,6 +167,8 @@ shapes! {
     Mesh(Mesh),
     Isosurface(Box<Isosurface>),
     Julia(Box<Julia>),
+    SphereSweep(SphereSweep),
+    Parametric(Box<Parametric>),
 }
 
 impl<P: Primitive> Primitive for Box<P> {
