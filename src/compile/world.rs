@@ -133,6 +133,7 @@ fn atmosphere(scene: &Scene, compiler: &mut TextureCompiler<'_>) -> Result<Atmos
         Some(sky) => Some(Sky {
             pigments: sky.pigments.iter().map(|p| compiler.pigment(p)).collect::<Result<_, _>>()?,
             emission: sky.emission,
+            legacy: scene.settings.version < 370,
             sky_from_world: sky.transform.inverse(),
         }),
     };

@@ -24,6 +24,8 @@ pub struct Sky {
     pub pigments: Vec<Pigment>,
     /// Colour factor.
     pub emission: Rgb,
+    /// Layers mix by the rule of scenes before version 3.7.
+    pub legacy: bool,
     /// Carries unit directions, taken as points.
     pub sky_from_world: Transform,
 }

@@ -4,7 +4,7 @@
 
 use super::ray::{Path, Radiance};
 use super::tracer::Tracer;
-use crate::compiled::atmosphere::{Fog, Rainbow};
+use crate::compiled::atmosphere::{Fog, Rainbow, Sky};
 use crate::compiled::geometry::RayKind;
 use crate::compiled::texture::Context;
 use crate::math::noise::turbulence;
@@ -19,7 +19,11 @@ impl Tracer<'_> {
         let atmosphere = &self.world.atmosphere;
         let mut filter = Rgb::ONE;
         let mut rgb = Rgb::ZERO;
-        if let Some(sky) = &atmosphere.sky {
+        if let Some(sky) = &atmosphere.sky
+            && sky.legacy
+        {
+            (rgb, filter) = legacy_sky(sky, path.ray.direction);
+        } else if let Some(sky) = &atmosphere.sky {
             let direction = path.ray.direction;
             let point = sky.sky_from_world.point(direction);
             let context = Context { direction, normal: direction, point, ..Context::default() };
@@ -105,6 +109,25 @@ fn rainbow_index(rainbow: &Rainbow, direction: DVec3, jitter: f64) -> Option<(f6
         0.0
     };
     Some((index, fade))
+}
+
+/// Layers of the sky before version 3.7: filters, transmits and colours multiply apart from each other.
+///
+/// Gives the sky's light and what it lets through of the background. Source: camera facts, section 6.2.
+fn legacy_sky(sky: &Sky, direction: DVec3) -> (Rgb, Rgb) {
+    let point = sky.sky_from_world.point(direction);
+    let context = Context { direction, normal: direction, point, ..Context::default() };
+    let (mut rgb, mut colors) = (Rgb::ZERO, Rgb::ONE);
+    let (mut filters, mut transmits, mut share) = (1.0_f32, 1.0_f32, 1.0);
+    for pigment in sky.pigments.iter().rev() {
+        let color = pigment.color_or_clear(point, &context);
+        rgb += color.rgb * (share * color.opacity());
+        colors *= color.rgb;
+        filters *= color.filter;
+        transmits *= color.transmit;
+        share = filters.abs() + transmits.abs();
+    }
+    (rgb * sky.emission, colors * filters + transmits)
 }
 
 /// What part of the light comes through a fog.

@@ -234,7 +234,8 @@ fn fold_polygon(points: &[DVec3], place: &Transform) -> Option<Folded> {
 ///
 /// POV-Ray exchanges two corners when the normal's largest component points along +x, -y or +z;
 /// it notices only when the triangle is moved (shape facts, section 7.1).
-fn fold_triangle([a, b, c]: [DVec3; 3], [na, nb, nc]: [DVec3; 3], place: &Transform) -> Option<(Triangle, [DVec3; 3])> {
+fn fold_triangle([a, b, c]: [DVec3; 3], normals: [DVec3; 3], place: &Transform) -> Option<(Triangle, [DVec3; 3])> {
+    let [na, nb, nc] = normals.map(DVec3::normalize_or_zero);
     let raw = |[a, b, c]: [DVec3; 3]| (a - b).cross(c - b);
     let normal = raw([a, b, c]);
     if normal == DVec3::ZERO || !normal.is_finite() {
@@ -249,5 +250,5 @@ fn fold_triangle([a, b, c]: [DVec3; 3], [na, nb, nc]: [DVec3; 3], place: &Transf
     let vertices = vertices.map(|v| place.point(v));
     let normal = raw(vertices);
     (normal != DVec3::ZERO && normal.is_finite())
-        .then(|| (Triangle { vertices, normal }, normals.map(|n| place.normal(n))))
+        .then(|| (Triangle { vertices, normal }, normals.map(|n| place.normal(n).normalize_or_zero())))
 }

@@ -3,7 +3,7 @@
 use crate::compiled::geometry::{Outline, Prism, Segment, Shape as Compiled};
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Text;
-use ttf_parser::{Face, GlyphId, OutlineBuilder};
+use ttf_parser::{Face, GlyphId, OutlineBuilder, kern::Format};
 
 /// Collects the curves of one glyph, in ems.
 struct Pen {
@@ -62,10 +62,16 @@ fn glyph_of(face: &Face<'_>, code: u16) -> GlyphId {
 }
 
 /// Kerning between two glyphs, in font units.
+///
+/// Pairs are looked through from the first: POV-Ray's own fonts do not hold them sorted, as a binary search needs them.
 fn kerning(face: &Face<'_>, left: GlyphId, right: GlyphId) -> f64 {
     let tables = face.tables().kern.iter().flat_map(|kern| kern.subtables);
     let horizontal = tables.filter(|t| t.horizontal && !t.variable);
-    horizontal.filter_map(|t| t.glyphs_kerning(left, right)).map(f64::from).sum()
+    let pairs = horizontal.filter_map(|t| match t.format {
+        Format::Format0(table) => table.pairs.into_iter().find(|p| p.left() == left && p.right() == right),
+        _ => None,
+    });
+    pairs.map(|p| f64::from(p.value)).sum()
 }
 
 /// All glyphs of a line beside each other, and what takes the result to text space.

@@ -164,17 +164,19 @@ fn to_raster(pixels: &Pixels, curve: &Curve, premultiplied: Option<bool>) -> Ras
     }
 }
 
-/// `function W, H { … }`: sampled at pixel corners from the top left, in 16 bits that wrap around.
+/// `function W, H { … }`: sampled from corner to corner, the top row at y = 0, in 16 bits that wrap around.
+///
+/// Source: section 8.2 of the function facts; a picture one pixel wide is sampled at 0 / 0, as in POV-Ray.
 fn sampled(width: u32, height: u32, function: &crate::function::Function) -> Raster {
-    let quantise = |v: f64| ((65535.0 * v).floor().rem_euclid(65536.0) / 65535.0) as f32;
+    let quantise = |v: f64| ((f64::from(v as f32) * 65535.0).trunc().rem_euclid(65536.0) / 65535.0) as f32;
     let scalar = function.width() == 1;
     let pixel = |x: u32, y: u32| {
-        let at = [f64::from(x) / f64::from(width), 1.0 - f64::from(y) / f64::from(height), 0.0];
+        let at = [f64::from(x) / (f64::from(width) - 1.0), f64::from(y) / (f64::from(height) - 1.0), 0.0];
         let v = function.call(&at);
         if scalar {
             return Color { rgb: Rgb::splat(quantise(v[0])), ..Color::BLACK };
         }
-        let alpha = quantise((1.0 - v[3] - v[4]).clamp(0.0, 1.0));
+        let alpha = quantise(1.0 - v[4]);
         Color { rgb: Rgb::new(quantise(v[0]), quantise(v[1]), quantise(v[2])), filter: 0.0, transmit: 1.0 - alpha }
     };
     Raster {

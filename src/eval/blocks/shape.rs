@@ -60,7 +60,7 @@ impl Evaluator<'_> {
                 for i in 0..3 {
                     vertices[i] = self.vector()?;
                     self.comma()?;
-                    normals[i] = self.vector()?;
+                    normals[i] = self.vector()?.normalize_or_zero();
                     if i < 2 {
                         self.comma()?;
                     }
