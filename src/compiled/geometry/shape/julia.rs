@@ -52,6 +52,10 @@ pub(crate) struct Julia {
 /// POV-Ray's length at which the search between two samples ends.
 const FINEST: f64 = 1e-7;
 
+/// POV-Ray's least distance of a hit. A ray that leaves a fractal often meets it again at once,
+/// for no reason but the roughness of the search; POV-Ray then sees nothing of the fractal.
+const NEAREST: f64 = 1e-4;
+
 /// POV-Ray's slack of the escape radius.
 const ESCAPE_SLACK: f64 = 1e-7;
 
@@ -237,7 +241,7 @@ impl Primitive for Julia {
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
         self.march(ray, range, |t| {
-            out.extend(range.contains(t).then_some(ShapeHit { t, part: 0 }));
+            out.extend((t > NEAREST && range.contains(t)).then_some(ShapeHit { t, part: 0 }));
             false
         });
     }
@@ -245,8 +249,8 @@ impl Primitive for Julia {
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
         let mut hit = None;
         self.march(ray, range, |t| {
-            hit = range.contains(t).then_some(ShapeHit { t, part: 0 });
-            hit.is_some()
+            hit = (t > NEAREST && range.contains(t)).then_some(ShapeHit { t, part: 0 });
+            true
         });
         hit
     }
