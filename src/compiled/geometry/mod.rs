@@ -29,9 +29,9 @@ pub(crate) use graph::{
     Group, Instance, Item, ItemKind, Look, Node, NodeKind, Operation, Placement, Primitive, Skips, padded,
 };
 pub(crate) use shape::{
-    Blob, BlobPart, Cone, Core, Cuboid, Disc, HeightField, HeightGrid, Lathe, Mesh, MeshData, MeshTree, Outline, Ovus,
-    Plane, Polygon, Polynomial, Prism, Quadric, Segment, Shape, SmoothTriangle, Sor, SorSegment, Sphere,
-    Superellipsoid, Torus, Triangle,
+    Blob, BlobPart, Cone, Container, Core, Cuboid, Disc, HeightField, HeightGrid, Isosurface, Julia, JuliaFunction,
+    Lathe, Mesh, MeshData, MeshTree, Outline, Ovus, Parametric, Plane, Polygon, Polynomial, Prism, Quadric, Segment,
+    Shape, SmoothTriangle, Sor, SorSegment, Sphere, SphereSweep, Superellipsoid, SweepSegment, Torus, Triangle,
 };
 
 use crate::math::{Bounds, DVec3, Range, Ray};
