@@ -6,7 +6,8 @@ camera { location <0, 1.5, -7> look_at 0 angle 42 }
 light_source { <-5, 7, -6> rgb 1 }
 background { rgb <0.1, 0.12, 0.2> }
 
-#declare Fan = union {
+#macro Fan()
+union {
   #for (K, 0, 5)
     #declare A = K * pi / 3;
     #declare B = (K + 1) * pi / 3;
@@ -15,5 +16,6 @@ background { rgb <0.1, 0.12, 0.2> }
   pigment { rgb <0.8, 0.6, 0.3> }
   finish { specular 0.6 roughness 0.03 }
 }
-object { Fan rotate -50 * x scale 1.2 translate -1.4 * x }
-object { Fan rotate -50 * x scale <0.6, 1.4, 1> rotate 30 * z translate 1.4 * x }
+#end
+object { Fan() rotate -50 * x scale 1.2 translate -1.4 * x }
+object { Fan() rotate -50 * x scale <0.6, 1.4, 1> rotate 30 * z translate 1.4 * x }

@@ -2,7 +2,9 @@
 
 use super::texture::{Refusal, TextureCompiler};
 use crate::compiled::camera::{Camera, FocalBlur, Projection};
-use crate::scene::{self, CameraKind};
+use crate::compiled::mesh_camera::{MeshCamera, MeshDistribution, MeshFace};
+use crate::math::DVec3;
+use crate::scene::{self, CameraKind, Object, Shape};
 
 pub(super) fn camera(camera: &scene::Camera, textures: &mut TextureCompiler<'_>) -> Result<Camera, Refusal> {
     let angle = camera.angle_deg.to_radians();
@@ -17,7 +19,7 @@ pub(super) fn camera(camera: &scene::Camera, textures: &mut TextureCompiler<'_>)
         CameraKind::Spherical => {
             Projection::Spherical { horizontal: angle, vertical: camera.vertical_angle_deg.to_radians() }
         }
-        CameraKind::Mesh(_) => return Err("`mesh_camera` is not supported yet".into()),
+        CameraKind::Mesh(mesh) => Projection::Mesh(Box::new(mesh_camera(mesh)?)),
     };
     let normal = camera.normal.as_ref().map(|n| textures.normal(n)).transpose()?;
     let blur = camera.focal_blur.as_ref().filter(|b| b.aperture != 0.0 && b.max_samples > 0);
@@ -36,4 +38,43 @@ fn focal_blur(blur: &scene::FocalBlur, textures: &mut TextureCompiler<'_>) -> Re
         focal_distance: blur.focal_distance,
         bokeh: blur.bokeh.as_ref().map(|p| textures.pigment(p)).transpose()?,
     })
+}
+
+fn mesh_camera(camera: &scene::MeshCamera) -> Result<MeshCamera, Refusal> {
+    let distribution = match camera.distribution {
+        0 => MeshDistribution::Parallel(camera.rays_per_pixel as usize),
+        1 => MeshDistribution::Sequential,
+        2 => MeshDistribution::SideBySide,
+        _ => MeshDistribution::Unwrapped { smooth: camera.smooth },
+    };
+    // POV-Ray's limit below which no distance counts as given.
+    let max_distance = if camera.max_distance >= 1e-10 { camera.max_distance } else { f64::INFINITY };
+    let meshes = camera.meshes.iter().map(|object| mesh_faces(object)).collect::<Result<_, _>>()?;
+    Ok(MeshCamera { distribution, max_distance, meshes })
+}
+
+/// The faces of a mesh object in world space.
+fn mesh_faces(object: &Object) -> Result<Vec<MeshFace>, Refusal> {
+    let Shape::Mesh(mesh) = &object.shape else {
+        return Err("a mesh_camera takes meshes only".into());
+    };
+    let place = &object.transform;
+    let vector = |v: [f32; 3]| DVec3::from(v.map(f64::from));
+    let face = |(i, face): (usize, &[u32; 3])| {
+        let local = face.map(|v| vector(mesh.vertices[v as usize]));
+        let flat = (local[2] - local[0]).cross(local[1] - local[0]);
+        let uv = |index: u32| mesh.uvs.get(index as usize).copied().unwrap_or_default();
+        let indices = mesh.normal_indices.get(i);
+        let smooth = indices.and_then(|n| {
+            let [a, b, c] = n.map(|index| mesh.normals.get(index as usize).copied().map(vector));
+            Some([a?, b?, c?].map(|n| place.normal(n).normalize_or_zero()))
+        });
+        MeshFace {
+            corners: local.map(|p| place.point(p)),
+            normal: place.normal(flat).normalize_or(DVec3::Z),
+            uvs: mesh.uv_indices.get(i).map_or_else(Default::default, |three| three.map(uv)),
+            normals: smooth,
+        }
+    };
+    Ok(mesh.faces.iter().enumerate().map(face).collect())
 }

@@ -1,5 +1,6 @@
 //! The camera with everything that does not depend on the pixel worked out.
 
+use super::mesh_camera::MeshCamera;
 use super::texture::{Normal, Pigment};
 use crate::math::DVec3;
 
@@ -23,7 +24,7 @@ pub struct Camera {
 }
 
 /// Projections; angles in radians.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Debug)]
 #[allow(missing_docs)]
 pub enum Projection {
     Perspective,
@@ -45,6 +46,8 @@ pub enum Projection {
         horizontal: f64,
         vertical: f64,
     },
+    /// Rays start on faces instead of at the location.
+    Mesh(Box<MeshCamera>),
 }
 
 /// Depth of field.
@@ -78,6 +81,7 @@ impl Projection {
             Self::Panoramic => "panoramic",
             Self::Cylinder { .. } => "cylinder",
             Self::Spherical { .. } => "spherical",
+            Self::Mesh(_) => "mesh_camera",
         }
     }
 }

@@ -9,6 +9,7 @@ pub mod camera;
 pub mod geometry;
 pub mod interior;
 pub mod light;
+pub mod mesh_camera;
 pub mod texture;
 mod world;
 

@@ -81,6 +81,8 @@ impl RawRay {
                 let tilted = turned(d, rn, -t * vertical);
                 here(turned(tilted, un, s * horizontal), [s * horizontal, t * vertical])
             }
+            // Its rays start elsewhere: `mesh_camera`.
+            Projection::Mesh(_) => None,
         }
     }
 

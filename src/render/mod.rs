@@ -14,6 +14,7 @@ mod focal_blur;
 mod jitter;
 mod layers;
 mod lights;
+mod mesh_camera;
 mod options;
 mod random;
 mod ray;

@@ -45,8 +45,10 @@ impl<'w> Tracer<'w> {
             camera_interiors: None,
             lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(blur))),
         };
-        let moving =
-            matches!(world.camera.projection, Projection::Orthographic | Projection::Cylinder { kind: 3 | 4, .. });
+        let moving = matches!(
+            world.camera.projection,
+            Projection::Orthographic | Projection::Cylinder { kind: 3 | 4, .. } | Projection::Mesh(_)
+        );
         if !moving && world.camera.blur.is_none() {
             tracer.camera_interiors = Some(tracer.interiors_at(world.camera.location));
         }
@@ -64,6 +66,9 @@ impl<'w> Tracer<'w> {
         if let Some(blur) = &camera.blur {
             return self.blurred(blur, x, y);
         }
+        if let Projection::Mesh(mesh) = &camera.projection {
+            return self.mesh_camera_ray(mesh, x, y);
+        }
         match RawRay::through(camera, x, y, self.options.width, self.options.height) {
             Some(raw) => self.follow(raw.finish(camera)),
             None => Radiance { transparency: 1.0, ..Radiance::BLACK },
@@ -72,12 +77,17 @@ impl<'w> Tracer<'w> {
 
     /// Follows a ray that starts at the camera; its direction is a unit vector.
     pub(super) fn follow(&mut self, ray: Ray) -> Radiance {
+        self.follow_up_to(ray, f64::INFINITY)
+    }
+
+    /// Follows a ray from the camera that sees no farther than `far`.
+    pub(super) fn follow_up_to(&mut self, ray: Ray, far: f64) -> Radiance {
         self.statistics.camera_rays += 1;
         let interiors = match &self.camera_interiors {
             Some(known) => known.clone(),
             None => self.interiors_at(ray.origin),
         };
-        let range = Range { min: CAMERA_NEAR, max: f64::INFINITY };
+        let range = Range { min: CAMERA_NEAR, max: far };
         let kind = RayKind::Camera;
         self.trace(&Path { ray, range, kind, level: 1, weight: 1.0, interiors, wavelength: None })
     }

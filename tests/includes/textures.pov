@@ -66,6 +66,7 @@ sphere { 0, 0.9 texture { New_Penny } Next() }
 sphere { 0, 0.9 texture { Tinny_Brass } Next() }
 sphere { 0, 0.9 texture { Aluminum } Next() }
 sphere { 0, 0.9 texture { Bright_Bronze } Next() }
+sphere { 0, 0.9 texture { Water } Next() }
 sphere { 0, 0.9 texture { Glass } Next() }
 sphere { 0, 0.9 texture { Glass2 } Next() }
 sphere { 0, 0.9 texture { Glass3 } Next() }
@@ -79,6 +80,7 @@ sphere { 0, 0.9 texture { Dark_Green_Glass } Next() }
 sphere { 0, 0.9 texture { Yellow_Glass } Next() }
 sphere { 0, 0.9 texture { Orange_Glass } Next() }
 sphere { 0, 0.9 texture { Vicks_Bottle_Glass } Next() }
+sphere { 0, 0.9 material { M_Water } Next() }
 sphere { 0, 0.9 material { M_Glass } Next() }
 sphere { 0, 0.9 material { M_Glass2 } Next() }
 sphere { 0, 0.9 material { M_Glass3 } Next() }

@@ -1,0 +1,89 @@
+//! Rays from the faces of meshes.
+//!
+//! Source: section 1.5 of the camera facts (measured); the quirks of rows are POV-Ray's.
+
+use super::ray::Radiance;
+use super::tracer::Tracer;
+use crate::compiled::mesh_camera::{MeshCamera, MeshDistribution, MeshFace};
+use crate::math::{DVec2, DVec3, Ray};
+
+impl Tracer<'_> {
+    /// The light through an image position: the mean over the rays that exist.
+    pub(super) fn mesh_camera_ray(&mut self, mesh: &MeshCamera, x: f64, y: f64) -> Radiance {
+        let rays = self.mesh_rays(mesh, x, y);
+        let mut sum = Radiance { transparency: 0.0, ..Radiance::BLACK };
+        for ray in &rays {
+            let light = self.follow_up_to(*ray, mesh.max_distance);
+            sum.rgb += light.rgb;
+            sum.transparency += light.transparency;
+        }
+        match rays.len() {
+            0 => Radiance { transparency: 1.0, ..Radiance::BLACK },
+            n => Radiance { rgb: sum.rgb / n as f32, transparency: sum.transparency / n as f32 },
+        }
+    }
+
+    fn mesh_rays(&self, mesh: &MeshCamera, x: f64, y: f64) -> Vec<Ray> {
+        let (width, height) = (self.options.width, self.options.height);
+        let column = (x.max(0.0) as usize).min(width - 1);
+        let row = (y.max(0.0) as usize).saturating_sub(1);
+        let at_center = |face: &MeshFace| self.mesh_ray(face.corners.iter().sum::<DVec3>() / 3.0, face.normal);
+        match mesh.distribution {
+            MeshDistribution::Parallel(n) => {
+                let face = |k: usize| mesh.meshes.get(k)?.get(row * width + column);
+                (0..n).filter_map(face).map(at_center).collect()
+            }
+            MeshDistribution::Sequential => {
+                let face = mesh.meshes.iter().flatten().nth(row * width + column);
+                face.map(at_center).into_iter().collect()
+            }
+            MeshDistribution::SideBySide => {
+                let share = (width / mesh.meshes.len()).max(1);
+                let face = mesh.meshes.get(column / share).and_then(|faces| faces.get(row * share + column));
+                face.map(at_center).into_iter().collect()
+            }
+            MeshDistribution::Unwrapped { smooth } => {
+                let u = if column == width - 1 { width as f64 - 1.5 } else { x.max(0.0) } / width as f64;
+                let down = if y < 1.0 { 0.5 } else { y };
+                let uv = DVec2::new(u, 1.0 - down / height as f64);
+                let found = mesh.meshes.iter().flatten().find_map(|face| Some((face, face.weights_at(uv)?)));
+                found.map(|(face, weights)| self.ray_on_face(face, weights, smooth)).into_iter().collect()
+            }
+        }
+    }
+
+    fn ray_on_face(&self, face: &MeshFace, weights: [f64; 3], smooth: bool) -> Ray {
+        let mean = |values: [DVec3; 3]| (0..3).map(|i| weights[i] * values[i]).sum::<DVec3>();
+        let normal = match face.normals {
+            Some(normals) if smooth => mean(normals).normalize_or(face.normal),
+            _ => face.normal,
+        };
+        self.mesh_ray(mean(face.corners), normal)
+    }
+
+    /// The camera's `location.z` moves the origin along the normal, its `direction.z` may turn the ray round.
+    fn mesh_ray(&self, point: DVec3, normal: DVec3) -> Ray {
+        let camera = &self.world.camera;
+        // POV-Ray's limit of a negative direction.
+        let direction = if camera.direction.z < -1e-10 { -normal } else { normal };
+        Ray::new(point + camera.location.z * normal, direction)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_belong_to_a_face() {
+        let face = MeshFace {
+            corners: [DVec3::ZERO, DVec3::X, DVec3::Y],
+            normal: DVec3::NEG_Z,
+            uvs: [DVec2::ZERO, DVec2::X, DVec2::Y],
+            normals: None,
+        };
+        assert_eq!(face.weights_at(DVec2::new(0.5, 0.5)), Some([0.0, 0.5, 0.5]));
+        assert_eq!(face.weights_at(DVec2::new(0.25, 0.25)), Some([0.5, 0.25, 0.25]));
+        assert_eq!(face.weights_at(DVec2::new(0.6, 0.6)), None);
+    }
+}
