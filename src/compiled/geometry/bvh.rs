@@ -134,7 +134,7 @@ impl Bvh {
         let mut nodes = Vec::new();
         if !items.is_empty() {
             let hull = Hull::around(&items);
-            build_subtree(&mut items, hull, Place { first: 0, leaf_size, depth: 0 }, &mut nodes);
+            build_subtree(&mut items, Place { hull, first: 0, leaf_size, depth: 0 }, &mut nodes);
         }
         nodes.shrink_to_fit();
         (Self { nodes }, items.iter().map(Item::index).collect())
@@ -271,6 +271,8 @@ impl Probe {
 /// Where a subtree begins.
 #[derive(Clone, Copy)]
 struct Place {
+    /// Around its items.
+    hull: Hull,
     /// Position of the first item.
     first: usize,
     leaf_size: usize,
@@ -278,8 +280,8 @@ struct Place {
 }
 
 /// Appends the nodes of a subtree over `items`, which are put in order.
-fn build_subtree(items: &mut [Item], hull: Hull, place: Place, nodes: &mut Vec<Node>) {
-    let Place { first, leaf_size, depth } = place;
+fn build_subtree(items: &mut [Item], place: Place, nodes: &mut Vec<Node>) {
+    let Place { hull, first, leaf_size, depth } = place;
     let mut runs: SmallVec<[(Span<usize>, Hull); 4]> = SmallVec::new();
     runs.push((0..items.len(), hull));
     while runs.len() < 4 {
@@ -299,25 +301,25 @@ fn build_subtree(items: &mut [Item], hull: Hull, place: Place, nodes: &mut Vec<N
     let root = nodes.len();
     nodes.push(node_over(&runs, first));
     let parallel = items.len() > PARALLEL_ITEMS;
-    let mut parts: SmallVec<[(usize, Hull, Place, &mut [Item]); 4]> = SmallVec::new();
+    let mut parts: SmallVec<[(usize, Place, &mut [Item]); 4]> = SmallVec::new();
     let mut rest = items;
     for (slot, (run, hull)) in runs.iter().enumerate() {
         let (part, tail) = rest.split_at_mut(run.len());
         rest = tail;
         if part.len() > leaf_size {
-            parts.push((slot, *hull, Place { first: first + run.start, depth: depth + 1, ..place }, part));
+            parts.push((slot, Place { hull: *hull, first: first + run.start, depth: depth + 1, leaf_size }, part));
         }
     }
     if !parallel {
-        for (slot, hull, place, part) in parts {
+        for (slot, place, part) in parts {
             nodes[root].children[slot] = nodes.len() as u32;
-            build_subtree(part, hull, place, nodes);
+            build_subtree(part, place, nodes);
         }
         return;
     }
-    let build = |(slot, hull, place, part): (usize, Hull, Place, &mut [Item])| {
+    let build = |(slot, place, part): (usize, Place, &mut [Item])| {
         let mut own = Vec::new();
-        build_subtree(part, hull, place, &mut own);
+        build_subtree(part, place, &mut own);
         (slot, own)
     };
     let subtrees: Vec<(usize, Vec<Node>)> = parts.into_vec().into_par_iter().map(build).collect();
