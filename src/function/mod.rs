@@ -5,7 +5,7 @@ mod program;
 mod spline;
 
 pub use internal::Internal;
-pub use program::{Binary, Callee, Op, Program, ProgramBuilder, Slot, Unary, int32};
+pub use program::{Binary, Callee, Op, Program, ProgramBuilder, Slot, Slots, Unary, int32};
 pub use spline::{Spline, SplineKind};
 
 use crate::math::{DVec3, Transform};
@@ -66,6 +66,14 @@ impl Function {
                 let p = t.point(DVec3::new(at(0), at(1), at(2)));
                 [p.x, p.y, p.z, 0.0, 0.0]
             }
+        }
+    }
+
+    /// As [`at`](Self::at), with working memory to use again for the next call.
+    pub fn at_in(&self, p: DVec3, slots: &mut Slots) -> f64 {
+        match &self.body {
+            FunctionBody::Program(program) => program.eval_in(&[p.x, p.y, p.z], slots),
+            _ => self.at(p),
         }
     }
 

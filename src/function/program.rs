@@ -17,6 +17,9 @@ use std::sync::Arc;
 /// Index of an operation and of the slot that holds its result.
 pub type Slot = u32;
 
+/// Results of all operations during an evaluation.
+pub type Slots = SmallVec<[f64; 64]>;
+
 /// One step; slots refer to earlier steps.
 #[derive(Clone, Debug)]
 pub enum Op {
@@ -215,7 +218,12 @@ impl Callee {
 impl Program {
     /// The value for these arguments; missing ones are 0.
     pub fn eval(&self, arguments: &[f64]) -> f64 {
-        let mut slots: SmallVec<[f64; 64]> = SmallVec::with_capacity(self.ops.len());
+        self.eval_in(arguments, &mut Slots::with_capacity(self.ops.len()))
+    }
+
+    /// As [`eval`](Self::eval), with working memory to use again for the next call.
+    pub fn eval_in(&self, arguments: &[f64], slots: &mut Slots) -> f64 {
+        slots.clear();
         for op in &self.ops {
             let value = match op {
                 Op::Constant(c) => *c,

@@ -28,8 +28,8 @@ pub struct Pixels {
     pub gamma: Option<f64>,
 }
 
-/// Reads a picture; `kind` is the language's name of its type (`png`, `gif`, `tga`, `bmp`, `pnm`, `jpeg`,
-/// `tiff`, `exr`, `hdr`).
+/// Reads a picture; `kind` is the language's name of its type (`png`, `gif`, `pot`, `tga`, `bmp`, `pnm`,
+/// `jpeg`, `tiff`, `exr`, `hdr`).
 ///
 /// # Errors
 /// [`ImageError`] naming the file.
@@ -42,7 +42,8 @@ pub fn decode(path: &Path, kind: &str) -> Result<Pixels, ImageError> {
     }
     let format = match kind {
         "png" => ImageFormat::Png,
-        "gif" => ImageFormat::Gif,
+        // Fractint's potential files are GIFs whose indices are halves of heights.
+        "gif" | "pot" => ImageFormat::Gif,
         "tga" => ImageFormat::Tga,
         "bmp" => ImageFormat::Bmp,
         "pnm" => ImageFormat::Pnm,
@@ -65,7 +66,7 @@ pub fn decode(path: &Path, kind: &str) -> Result<Pixels, ImageError> {
     let mut pixels = to_pixels(&image);
     match kind {
         "png" => read_png_chunks(&bytes, &mut pixels, original),
-        "gif" => read_gif_indices(&bytes, &mut pixels),
+        "gif" | "pot" => read_gif_indices(&bytes, &mut pixels),
         "tiff" => pixels.premultiplied = true,
         _ => {}
     }
@@ -111,13 +112,14 @@ fn read_png_chunks(bytes: &[u8], pixels: &mut Pixels, original: image::ExtendedC
     }
 }
 
+/// Palette indices as the file has them: different entries may share a colour.
 fn read_gif_indices(bytes: &[u8], pixels: &mut Pixels) {
-    let Some(&flags) = bytes.get(10) else { return };
-    if flags & 0x80 != 0 {
-        let n = 2usize << (flags & 7);
-        let table = bytes.get(13..13 + 3 * n).unwrap_or_default();
-        let entries = table.as_chunks::<3>().0.iter().map(|c| [c[0], c[1], c[2], 255]);
-        pixels.indices = Some(indices_of(&pixels.rgba, entries));
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::Indexed);
+    let Ok(mut decoder) = options.read_info(bytes) else { return };
+    let Ok(Some(frame)) = decoder.read_next_frame() else { return };
+    if (usize::from(frame.width), usize::from(frame.height)) == (pixels.width, pixels.height) {
+        pixels.indices = Some(frame.buffer.to_vec());
     }
 }
 

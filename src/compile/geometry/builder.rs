@@ -380,9 +380,11 @@ fn extent(primitive: &Primitive) -> Bounds {
             }
             b
         }
-        Compiled::Disc(_) | Compiled::Triangle(_) | Compiled::SmoothTriangle(_) | Compiled::Polygon(_) => {
-            Bounds::INFINITE
-        }
+        Compiled::Disc(_)
+        | Compiled::Triangle(_)
+        | Compiled::SmoothTriangle(_)
+        | Compiled::Polygon(_)
+        | Compiled::Parametric(_) => Bounds::INFINITE,
         Compiled::Mesh(mesh) if mesh.inside_vector.is_none() => Bounds::INFINITE,
         _ => primitive.bounds(),
     }

@@ -1,6 +1,7 @@
 //! Shapes that are converted rather than folded: large data, shared by all copies.
 
 use super::builder::Builder;
+use super::implicit;
 use super::looks::Context;
 use super::primitive::Folded;
 use super::sweep;
@@ -13,38 +14,36 @@ use std::sync::Arc;
 /// Converts a freeform shape: `None` if it is not one, `Some(None)` if nothing of it shows or
 /// there was a message.
 pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Context) -> Option<Option<Folded>> {
-    let unsupported = match &object.shape {
-        Shape::Mesh(mesh) => return Some(Some(convert_mesh(builder, mesh, inside))),
-        Shape::HeightField(field) => return Some(convert_height_field(builder, field, object, inside)),
-        Shape::Blob(blob) => return Some(Some(convert_blob(builder, blob, inside))),
-        Shape::BicubicPatch(patch) => return Some(Some(convert_patch(patch, inside))),
-        Shape::Prism(prism) => return Some(sweep::prism(prism).map(|shape| placed(shape, inside.group_from_parent))),
+    match &object.shape {
+        Shape::Mesh(mesh) => Some(Some(convert_mesh(builder, mesh, inside))),
+        Shape::HeightField(field) => Some(convert_height_field(builder, field, object, inside)),
+        Shape::Blob(blob) => Some(Some(convert_blob(builder, blob, inside))),
+        Shape::BicubicPatch(patch) => Some(Some(convert_patch(patch, inside))),
+        Shape::Prism(prism) => Some(sweep::prism(prism).map(|shape| placed(shape, inside.group_from_parent))),
         Shape::Lathe { spline, points, .. } => {
-            return Some(Some(placed(sweep::lathe(*spline, points), inside.group_from_parent)));
+            Some(Some(placed(sweep::lathe(*spline, points), inside.group_from_parent)))
         }
-        Shape::Sor { points, open, .. } => {
-            return Some(Some(placed(sweep::sor(points, *open), inside.group_from_parent)));
-        }
+        Shape::Sor { points, open, .. } => Some(Some(placed(sweep::sor(points, *open), inside.group_from_parent))),
         Shape::Text(text) => match super::text::text(text) {
-            Ok((shape, upright)) => return Some(Some(placed(shape, upright.then(&inside.group_from_parent)))),
+            Ok((shape, upright)) => Some(Some(placed(shape, upright.then(&inside.group_from_parent)))),
             Err(message) => {
                 builder.errors.push(Diagnostic::error(object.span, message));
-                return Some(None);
+                Some(None)
             }
         },
-        Shape::SphereSweep { .. } => "sphere_sweep",
-        Shape::Isosurface(_) => "isosurface",
-        Shape::Parametric(_) => "parametric",
-        Shape::JuliaFractal(_) => "julia_fractal",
+        Shape::SphereSweep { spline, spheres, tolerance } => {
+            Some(Some(placed(sweep::sphere_sweep(*spline, spheres, *tolerance), inside.group_from_parent)))
+        }
+        Shape::Isosurface(surface) => Some(Some(placed(implicit::isosurface(surface), inside.group_from_parent))),
+        Shape::Parametric(surface) => Some(Some(placed(implicit::parametric(surface), inside.group_from_parent))),
+        Shape::JuliaFractal(julia) => Some(Some(placed(implicit::julia(julia), inside.group_from_parent))),
         Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base.distance(*cap) < 1e-10 => {
             let message = "degenerate cylinder or cone: both ends are the same point";
             builder.errors.push(Diagnostic::error(object.span, message));
-            return Some(None);
+            Some(None)
         }
-        _ => return None,
-    };
-    builder.errors.push(Diagnostic::error(object.span, format!("`{unsupported}` is not supported yet")));
-    Some(None)
+        _ => None,
+    }
 }
 
 /// A shape with its transform left as it is.
@@ -75,7 +74,7 @@ fn convert_height_field(
     };
     let unit = DVec3::new(1.0 / (grid.width - 1) as f64, 1.0 / 65536.0, 1.0 / (grid.depth - 1) as f64);
     let place = Transform::scaling(unit).then(&inside.group_from_parent);
-    Some(placed(Compiled::HeightField(HeightField { grid }), place))
+    Some(placed(Compiled::HeightField(HeightField { grid, group_from_grid: Box::new(place) }), place))
 }
 
 /// A blob; cylinders come apart into a tube and two half balls.

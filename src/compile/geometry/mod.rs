@@ -4,6 +4,7 @@ mod builder;
 mod census;
 mod freeform;
 mod height_field;
+mod implicit;
 mod lights;
 mod looks;
 mod patch;
@@ -13,6 +14,8 @@ mod sweep;
 mod tests;
 #[cfg(test)]
 mod tests_freeform;
+#[cfg(test)]
+mod tests_implicit;
 #[cfg(test)]
 mod tests_properties;
 mod text;

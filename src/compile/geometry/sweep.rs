@@ -1,13 +1,18 @@
-//! Prisms, lathes and surfaces of revolution: points become polynomial pieces.
+//! Prisms, lathes, surfaces of revolution and sphere sweeps: points become polynomial pieces.
 //!
-//! Source of all layouts: shape facts, freeform, sections 6 to 9.
+//! Source of all layouts: shape facts, freeform, sections 6 to 10.
 
-use crate::compiled::geometry::{Lathe, Outline, Prism, Segment, Shape as Compiled, Sor, SorSegment};
-use crate::math::DVec2;
+use crate::compiled::geometry::{
+    Lathe, Outline, Prism, Segment, Shape as Compiled, Sor, SorSegment, SphereSweep, SweepSegment,
+};
+use crate::math::{Bounds, DVec2, DVec3};
 use crate::scene::{self, SweepSpline};
 
 /// POV-Ray's distance at which outline points are the same.
 const SAME_POINT: f64 = 1e-10;
+
+/// POV-Ray's `tolerance` of sphere sweeps where none is given.
+const SWEEP_TOLERANCE: f64 = 1e-6;
 
 fn same(a: DVec2, b: DVec2) -> bool {
     (a - b).abs().max_element() < SAME_POINT
@@ -89,4 +94,33 @@ pub(super) fn sor(points: &[DVec2], open: bool) -> Compiled {
         SorSegment { low: w[1].y, high: w[2].y, squared: [r1, s1, c2, c3] }
     };
     Compiled::Sor(Sor { segments: points.windows(4).map(piece).collect(), open })
+}
+
+/// A sphere sweep; centre and radius follow the same curve.
+pub(super) fn sphere_sweep(spline: SweepSpline, spheres: &[(DVec3, f64)], tolerance: f64) -> Compiled {
+    // Rows give the coefficients of a segment, rising, by the spheres around it.
+    const CATMULL_ROM: [[f64; 4]; 4] =
+        [[0.0, 1.0, 0.0, 0.0], [-0.5, 0.0, 0.5, 0.0], [1.0, -2.5, 2.0, -0.5], [-0.5, 1.5, -1.5, 0.5]];
+    const B_SPLINE: [[f64; 4]; 4] =
+        [[1.0, 4.0, 1.0, 0.0], [-3.0, 0.0, 3.0, 0.0], [3.0, -6.0, 3.0, 0.0], [-1.0, 3.0, -3.0, 1.0]];
+    let curved = |rows: &[[f64; 4]; 4], scale: f64, w: &[(DVec3, f64)]| {
+        let center = rows.map(|row| row.iter().zip(w).map(|(k, q)| q.0 * *k).sum::<DVec3>() * scale);
+        let radius = rows.map(|row| row.iter().zip(w).map(|(k, q)| q.1 * k).sum::<f64>() * scale);
+        SweepSegment::new(center, radius, false)
+    };
+    let segments: Vec<SweepSegment> = match spline {
+        SweepSpline::Linear => spheres
+            .windows(2)
+            .map(|w| {
+                let [(c0, r0), (c1, r1)] = [w[0], w[1]];
+                SweepSegment::new([c0, c1 - c0, DVec3::ZERO, DVec3::ZERO], [r0, r1 - r0, 0.0, 0.0], true)
+            })
+            .collect(),
+        SweepSpline::B => spheres.windows(4).map(|w| curved(&B_SPLINE, 1.0 / 6.0, w)).collect(),
+        _ => spheres.windows(4).map(|w| curved(&CATMULL_ROM, 1.0, w)).collect(),
+    };
+    let bounds = segments.iter().fold(Bounds::EMPTY, |sum, s| sum.union(&s.bounds()));
+    // Rays start off the surface here: only a larger tolerance than POV-Ray's own can be seen.
+    let tolerance = if tolerance > SWEEP_TOLERANCE { tolerance } else { 0.0 };
+    Compiled::SphereSweep(SphereSweep { segments: segments.into(), bounds, tolerance })
 }

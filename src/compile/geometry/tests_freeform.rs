@@ -155,3 +155,44 @@ fn height_fields() {
     let tall = moved(field, &Transform::scaling(v(2.0, 3.0, 1.0)));
     assert!(inside(&tall, v(1.0, 0.3, 0.5)));
 }
+
+#[test]
+fn sphere_sweeps() {
+    let sweep = |spline, spheres: &[(DVec3, f64)], tolerance| {
+        object(Shape::SphereSweep { spline, spheres: spheres.into(), tolerance })
+    };
+    let capsule = sweep(SweepSpline::Linear, &[(DVec3::ZERO, 1.0), (0.5 * DVec3::X, 1.0)], 1e-6);
+    // POV-Ray calls the first two outside.
+    assert!(inside(&capsule, v(0.25, 0.0, 0.0)) && inside(&capsule, v(0.25, 0.9, 0.0)));
+    assert!(inside(&capsule, v(0.25, 0.99, 0.0)) && inside(&capsule, v(-0.9, 0.0, 0.0)));
+    assert!(!inside(&capsule, v(0.25, 1.01, 0.0)));
+    let cone = sweep(SweepSpline::Linear, &[(DVec3::ZERO, 1.0), (4.0 * DVec3::X, 0.5)], 1e-6);
+    let normal = v(0.125, 0.0, -0.992_156_742);
+    check(&cone, v(2.0, 0.0, -5.0), DVec3::Z, Some((v(2.0, 0.0, -0.755_928_946), Some(normal))));
+    check(&cone, v(9.0, 0.0, 0.0), DVec3::NEG_X, Some((v(4.5, 0.0, 0.0), None)));
+    let five = [
+        (DVec3::ZERO, 0.5),
+        (v(1.0, 1.0, 0.0), 0.3),
+        (v(2.0, 0.0, 1.0), 0.5),
+        (v(3.0, 1.0, 0.0), 0.2),
+        (v(4.0, 0.0, 0.0), 0.5),
+    ];
+    let b = sweep(SweepSpline::B, &five, 1e-6);
+    check(&b, v(1.5, 0.5, -5.0), DVec3::Z, Some((v(1.5, 0.5, 0.034_518_024), None)));
+    let normal = v(-0.490_707_171, 0.316_109_050, -0.811_961_539);
+    check(&b, v(2.3, 0.6, -5.0), DVec3::Z, Some((v(2.3, 0.6, 0.205_542_666), Some(normal))));
+    check(&b, v(2.3, 5.0, 0.5), DVec3::NEG_Y, Some((v(2.3, 0.804_140_483, 0.5), None)));
+    let cubic = sweep(SweepSpline::Cubic, &five, 1e-6);
+    check(&cubic, v(1.5, 0.5, -5.0), DVec3::Z, Some((v(1.5, 0.5, 0.093_784_236), None)));
+    let normal = v(-0.719_476_517, 0.140_403_512, -0.680_176_738);
+    check(&cubic, v(2.3, 0.6, -5.0), DVec3::Z, Some((v(2.3, 0.6, 0.289_583_486), Some(normal))));
+    check(&cubic, v(2.3, 5.0, 0.5), DVec3::NEG_Y, Some((v(2.3, 0.781_612_252, 0.5), None)));
+    let arch = [v(0.0, -10.0, 0.0), DVec3::ZERO, DVec3::X, v(1.0, -10.0, 0.0)].map(|c| (c, 0.1));
+    let arch = sweep(SweepSpline::Cubic, &arch, 1e-6);
+    check(&arch, v(0.5, 5.0, 0.0), DVec3::NEG_Y, Some((v(0.5, 1.35, 0.0), None)));
+    // Seen from its own plane; POV-Ray cuts it off above y = 0.2.
+    check(&arch, v(0.5, 1.25, -5.0), DVec3::Z, Some((v(0.5, 1.25, -0.1), None)));
+    let tolerant = sweep(SweepSpline::Linear, &[(DVec3::ZERO, 1.0), (4.0 * DVec3::X, 1.0)], 0.5);
+    check(&tolerant, v(2.0, 0.0, -1.4), DVec3::Z, Some((v(2.0, 0.0, 1.0), None)));
+    check(&tolerant, v(2.0, 0.0, -1.6), DVec3::Z, Some((v(2.0, 0.0, -1.0), None)));
+}

@@ -29,9 +29,9 @@ pub(crate) use graph::{
     Group, Instance, Item, ItemKind, Look, Node, NodeKind, Operation, Placement, Primitive, Skips, padded,
 };
 pub(crate) use shape::{
-    Blob, BlobPart, Cone, Core, Cuboid, Disc, HeightField, HeightGrid, Lathe, Mesh, MeshData, MeshTree, Outline, Ovus,
-    Plane, Polygon, Polynomial, Prism, Quadric, Segment, Shape, SmoothTriangle, Sor, SorSegment, Sphere,
-    Superellipsoid, Torus, Triangle,
+    Blob, BlobPart, Cone, Container, Core, Cuboid, Disc, HeightField, HeightGrid, Isosurface, Julia, JuliaFunction,
+    Lathe, Mesh, MeshData, MeshTree, Outline, Ovus, Parametric, Plane, Polygon, Polynomial, Prism, Quadric, Segment,
+    Shape, SmoothTriangle, Sor, SorSegment, Sphere, SphereSweep, Superellipsoid, SweepSegment, Torus, Triangle,
 };
 
 use crate::math::{Bounds, DVec3, Range, Ray};
@@ -91,6 +91,20 @@ impl Geometry {
         // Half spaces and inverted objects reach beyond their surface's box.
         let mut items = self.root.items.iter().chain(&self.root.infinite);
         items.any(|item| !self.gather_item(item, point, &mut Path::default(), &mut |_, _, _| false))
+    }
+
+    /// How much there is of what.
+    pub(super) fn summary(&self) -> Vec<(&'static str, usize)> {
+        let nodes = self.groups.iter().chain([&self.root]).map(|group| group.bvh.n_nodes()).sum();
+        vec![
+            ("objects at the root", self.root.items.len() + self.root.infinite.len()),
+            ("infinite objects", self.root.infinite.len()),
+            ("primitives", self.primitives.len()),
+            ("shared groups", self.groups.len()),
+            ("instances", self.instances.len()),
+            ("solids' nodes", self.nodes.len()),
+            ("hierarchy's nodes", nodes),
+        ]
     }
 
     /// A box around everything; infinite if anything is.

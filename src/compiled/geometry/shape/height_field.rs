@@ -2,7 +2,7 @@
 
 use super::mesh::MeshTree;
 use super::{LocalSurface, Mesh, Primitive, ShapeHit, ShapeHits};
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Transform};
 use std::sync::Arc;
 
 /// A height field in grid units: cells of size 1 in x and z, heights 0 to 65535 in y.
@@ -27,6 +27,8 @@ pub(crate) struct HeightGrid {
 #[derive(Clone, Debug)]
 pub(crate) struct HeightField {
     pub(crate) grid: Arc<HeightGrid>,
+    /// Takes grid units to the group's space, where normals are averaged.
+    pub(crate) group_from_grid: Box<Transform>,
 }
 
 impl HeightGrid {
@@ -130,12 +132,12 @@ impl Primitive for HeightField {
             let p = surface.point;
             let (i, k) = (p.x.clamp(0.0, (g.width - 2) as f64) as usize, p.z.clamp(0.0, (g.depth - 2) as f64) as usize);
             let f = DVec2::new(p.x - i as f64, p.z - k as f64);
-            // Each corner's normal counts with unit length in the unit square's space.
-            let unit = DVec3::new((g.width - 1) as f64, 65536.0, (g.depth - 1) as f64);
-            let corner = |a: usize, b: usize| (g.vertex_normal(i + a, k + b) * unit).normalize_or(DVec3::Y);
+            // Each corner's normal counts with unit length where the field stands.
+            let place = &self.group_from_grid;
+            let corner = |a: usize, b: usize| place.normal(g.vertex_normal(i + a, k + b)).normalize_or(DVec3::Y);
             let near = corner(0, 0) * (1.0 - f.x) + corner(1, 0) * f.x;
             let far = corner(0, 1) * (1.0 - f.x) + corner(1, 1) * f.x;
-            surface.shading_normal = Some((near * (1.0 - f.y) + far * f.y) / unit);
+            surface.shading_normal = Some(place.inverse_normal(near * (1.0 - f.y) + far * f.y));
         }
         surface
     }

@@ -100,6 +100,10 @@ impl MeshTree {
             None => self.data.faces[face],
             Some(list) => *list.get(self.original[face] as usize)?,
         };
+        // Flat faces between smooth ones have indices beyond all normals.
+        if indices.iter().any(|i| *i as usize >= self.data.normals.len()) {
+            return None;
+        }
         let normals = indices.map(|i| corner(&self.data.normals, i));
         // POV-Ray's threshold: nearly equal normals make a flat face.
         let differ = |a: DVec3, b: DVec3| a.distance_squared(b) > 1e-10;

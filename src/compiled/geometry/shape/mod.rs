@@ -5,12 +5,16 @@
 
 mod blob;
 mod cone;
+mod container;
 mod cuboid;
 mod height_field;
+mod isosurface;
+mod julia;
 mod lathe;
 mod mesh;
 mod outline;
 mod ovus;
+mod parametric;
 mod plane;
 mod polygon;
 mod polynomial;
@@ -18,18 +22,23 @@ mod prism;
 mod quadric;
 mod sor;
 mod sphere;
+mod sphere_sweep;
 mod superellipsoid;
 mod torus;
 mod triangle;
 
 pub(crate) use blob::{Blob, BlobPart, Core};
 pub(crate) use cone::Cone;
+pub(crate) use container::Container;
 pub(crate) use cuboid::Cuboid;
 pub(crate) use height_field::{HeightField, HeightGrid};
+pub(crate) use isosurface::Isosurface;
+pub(crate) use julia::{Julia, JuliaFunction};
 pub(crate) use lathe::Lathe;
 pub(crate) use mesh::{Mesh, MeshData, MeshTree};
 pub(crate) use outline::Segment;
 pub(crate) use ovus::Ovus;
+pub(crate) use parametric::Parametric;
 pub(crate) use plane::{Disc, Plane};
 pub(crate) use polygon::Polygon;
 pub(crate) use polynomial::Polynomial;
@@ -37,6 +46,7 @@ pub(crate) use prism::{Outline, Prism};
 pub(crate) use quadric::Quadric;
 pub(crate) use sor::{Sor, SorSegment};
 pub(crate) use sphere::{Sphere, spherical_uv};
+pub(crate) use sphere_sweep::{SphereSweep, SweepSegment};
 pub(crate) use superellipsoid::Superellipsoid;
 pub(crate) use torus::Torus;
 pub(crate) use triangle::{SmoothTriangle, Triangle};
@@ -155,6 +165,10 @@ shapes! {
     Triangle(Box<Triangle>),
     SmoothTriangle(Box<SmoothTriangle>),
     Mesh(Mesh),
+    Isosurface(Box<Isosurface>),
+    Julia(Box<Julia>),
+    SphereSweep(SphereSweep),
+    Parametric(Box<Parametric>),
 }
 
 impl<P: Primitive> Primitive for Box<P> {

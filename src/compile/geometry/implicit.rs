@@ -1,0 +1,74 @@
+//! Shapes given by functions: isosurface, parametric, julia_fractal.
+
+use crate::compiled::geometry::{Container, Isosurface, Julia, JuliaFunction, Parametric, Shape as Compiled};
+use crate::math::Bounds;
+use crate::scene;
+
+/// POV-Ray's container, its corners sorted.
+fn container(container: scene::Container) -> Container {
+    match container {
+        scene::Container::Box { min, max } => Container::Box(Bounds::from_corners(min, max)),
+        scene::Container::Sphere { center, radius } => Container::Sphere { center, radius },
+    }
+}
+
+/// An isosurface.
+pub(super) fn isosurface(surface: &scene::Isosurface) -> Compiled {
+    Compiled::Isosurface(Box::new(Isosurface {
+        function: surface.function.clone(),
+        container: container(surface.container),
+        threshold: surface.threshold,
+        accuracy: surface.accuracy,
+        max_gradient: surface.max_gradient,
+        evaluate: surface.evaluate,
+        max_trace: surface.max_trace,
+        open: surface.open,
+    }))
+}
+
+/// A parametric surface. POV-Ray's `precompute` only saves it time.
+pub(super) fn parametric(surface: &scene::Parametric) -> Compiled {
+    Compiled::Parametric(Box::new(Parametric {
+        functions: surface.functions.clone(),
+        min: surface.min,
+        max: surface.max,
+        container: container(surface.container),
+        accuracy: surface.accuracy,
+        max_gradient: surface.max_gradient,
+    }))
+}
+
+/// A Julia set, its slice solved for the fourth coordinate.
+pub(super) fn julia(julia: &scene::JuliaFractal) -> Compiled {
+    use scene::JuliaFunction as F;
+    let function = match julia.function {
+        F::Sqr => JuliaFunction::Sqr,
+        F::Cube => JuliaFunction::Cube,
+        F::Exp => JuliaFunction::Exp,
+        F::Ln => JuliaFunction::Ln,
+        F::Sin => JuliaFunction::Sin,
+        F::Asin => JuliaFunction::Asin,
+        F::Cos => JuliaFunction::Cos,
+        F::Acos => JuliaFunction::Acos,
+        F::Tan => JuliaFunction::Tan,
+        F::Atan => JuliaFunction::Atan,
+        F::Sinh => JuliaFunction::Sinh,
+        F::Asinh => JuliaFunction::Asinh,
+        F::Cosh => JuliaFunction::Cosh,
+        F::Acosh => JuliaFunction::Acosh,
+        F::Tanh => JuliaFunction::Tanh,
+        F::Atanh => JuliaFunction::Atanh,
+        F::Reciprocal => JuliaFunction::Reciprocal,
+        F::Pwr(a, b) => JuliaFunction::Pwr(a, b),
+    };
+    let normal = julia.slice_normal;
+    Compiled::Julia(Box::new(Julia {
+        parameter: julia.parameter,
+        hypercomplex: julia.hypercomplex,
+        function,
+        n_iterations: julia.max_iteration.max(1) as usize,
+        smallest_step: 1.0 / julia.precision.max(1.0),
+        slice: normal.truncate() / -normal.w,
+        slice_offset: julia.slice_distance / normal.w,
+    }))
+}

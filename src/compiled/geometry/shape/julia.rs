@@ -1,0 +1,278 @@
+//! Slices through four-dimensional Julia sets.
+//!
+//! POV-Ray's stepping is kept, because a fractal has no other surface than the one that its
+//! steps find (function facts, section 11). Source of the step lengths: Hart, Sandin, Kauffman,
+//! Ray Tracing Deterministic 3-D Fractals, 1989.
+
+use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
+use crate::math::{Bounds, DVec3, DVec4, Range, Ray, quadratic_roots};
+use hypercomplex::Pair;
+use smallvec::SmallVec;
+
+mod hypercomplex;
+
+/// What is iterated; all but the first two only on hypercomplex numbers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum JuliaFunction {
+    Sqr,
+    Cube,
+    Exp,
+    Ln,
+    Sin,
+    Asin,
+    Cos,
+    Acos,
+    Tan,
+    Atan,
+    Sinh,
+    Asinh,
+    Cosh,
+    Acosh,
+    Tanh,
+    Atanh,
+    Reciprocal,
+    Pwr(f64, f64),
+}
+
+/// The points whose orbit under q -> f(q) + c stays near the origin.
+#[derive(Clone, Debug)]
+pub(crate) struct Julia {
+    /// c.
+    pub(crate) parameter: DVec4,
+    pub(crate) hypercomplex: bool,
+    pub(crate) function: JuliaFunction,
+    pub(crate) n_iterations: usize,
+    /// Least distance between samples along a ray.
+    pub(crate) smallest_step: f64,
+    /// The fourth coordinate of a point p is `slice · p + slice_offset`.
+    pub(crate) slice: DVec3,
+    pub(crate) slice_offset: f64,
+}
+
+/// POV-Ray's length at which the search between two samples ends.
+const FINEST: f64 = 1e-7;
+
+/// POV-Ray's least distance of a hit. A ray that leaves a fractal often meets it again at once,
+/// for no reason but the roughness of the search; POV-Ray then sees nothing of the fractal.
+const NEAREST: f64 = 1e-4;
+
+/// POV-Ray's slack of the escape radius.
+const ESCAPE_SLACK: f64 = 1e-7;
+
+/// q₀, q₁, … of one point.
+type Orbit = SmallVec<[DVec4; 24]>;
+
+impl Julia {
+    /// Radius of the sphere around the set.
+    fn radius(&self) -> f64 {
+        if self.hypercomplex { 4.0 } else { (1.0 + self.parameter.length() + ESCAPE_SLACK).min(2.0) }
+    }
+
+    /// Squared length at which an orbit has escaped.
+    fn escape(&self) -> f64 {
+        let squared = self.radius() * self.radius();
+        if self.hypercomplex { squared } else { squared + ESCAPE_SLACK }
+    }
+
+    fn start(&self, p: DVec3) -> DVec4 {
+        p.extend(self.slice.dot(p) + self.slice_offset)
+    }
+
+    /// Where POV-Ray's inside test starts: for most functions z is mistaken for y.
+    fn tested_start(&self, p: DVec3) -> DVec4 {
+        let polynomial = matches!(self.function, JuliaFunction::Sqr | JuliaFunction::Cube | JuliaFunction::Reciprocal);
+        self.start(if polynomial { p } else { p.with_z(p.y) })
+    }
+
+    fn next(&self, q: DVec4) -> DVec4 {
+        self.parameter + if self.hypercomplex { Pair::from(q).apply(self.function).into() } else { self.power(q) }
+    }
+
+    /// Square or cube of a quaternion with its real part first.
+    fn power(&self, q: DVec4) -> DVec4 {
+        let (real, vector) = (q.x, DVec3::new(q.y, q.z, q.w));
+        let squared = vector.length_squared();
+        let (r, v) = match self.function {
+            JuliaFunction::Cube => (real * (real * real - 3.0 * squared), vector * (3.0 * real * real - squared)),
+            _ => (real * real - squared, vector * (2.0 * real)),
+        };
+        DVec4::new(r, v.x, v.y, v.z)
+    }
+
+    /// Whether the orbit of `start` stays within the escape radius.
+    fn stays(&self, start: DVec4) -> bool {
+        let (mut q, escape) = (start, self.escape());
+        for _ in 0..self.n_iterations {
+            // Also false for NaN.
+            if q.length_squared() > escape {
+                return false;
+            }
+            q = self.next(q);
+        }
+        true
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        self.stays(self.tested_start(p))
+    }
+
+    /// Whether a sample is inside, and how far the next one may be.
+    fn sample(&self, p: DVec3, direction: DVec3) -> (bool, f64) {
+        let (mut q, escape) = (self.start(p), self.escape());
+        let mut orbit = Orbit::new();
+        for _ in 0..self.n_iterations {
+            orbit.push(q);
+            let n = q.length_squared();
+            if n > escape {
+                let step = if self.hypercomplex {
+                    self.hypercomplex_step(&orbit, n, direction)
+                } else {
+                    self.quaternion_step(&orbit, n)
+                };
+                return (false, step);
+            }
+            q = self.next(q);
+        }
+        (true, self.smallest_step)
+    }
+
+    fn quaternion_step(&self, orbit: &Orbit, n: f64) -> f64 {
+        let degree: f64 = if matches!(self.function, JuliaFunction::Cube) { 3.0 } else { 2.0 };
+        let product: f64 = orbit.iter().map(|q| q.length()).product();
+        n.sqrt() * n.ln() / (product * degree.powi(orbit.len() as i32))
+    }
+
+    fn hypercomplex_step(&self, orbit: &Orbit, n: f64, direction: DVec3) -> f64 {
+        let approach = -2.0 * self.hypercomplex_gradient(orbit).dot(direction);
+        let least = self.smallest_step * approach;
+        if approach > 2e-8 && least < n && n < 30.0 * least { n / approach } else { self.smallest_step }
+    }
+
+    /// POV-Ray's estimate of the direction in which the last point of an orbit grows.
+    fn hypercomplex_gradient(&self, orbit: &Orbit) -> DVec3 {
+        let Some((last, before)) = orbit.split_last() else { return DVec3::X };
+        let factor = |q: &DVec4| match self.function {
+            JuliaFunction::Sqr | JuliaFunction::Cube => Pair::from(*q),
+            JuliaFunction::Reciprocal => {
+                let inverse = Pair::from(*q).apply(JuliaFunction::Reciprocal);
+                inverse.times(inverse).negated()
+            }
+            function => Pair::from(*q).apply(function),
+        };
+        let first = Pair::from(before.first().copied().unwrap_or(*last));
+        let d: DVec4 = before.iter().skip(1).fold(first, |product, q| product.times(factor(q))).into();
+        let scale = match self.function {
+            JuliaFunction::Sqr => 2f64.powi(before.len().max(1) as i32),
+            _ => 1.0,
+        };
+        let n = *last * scale;
+        DVec3::new(d.dot(n), DVec4::new(-d.y, d.x, -d.w, d.z).dot(n), DVec4::new(-d.z, -d.w, d.x, d.y).dot(n))
+    }
+
+    /// Gradient of half the squared length of an orbit's end, along x, y and z.
+    fn quaternion_gradient(&self, orbit: &Orbit) -> DVec3 {
+        let Some((last, before)) = orbit.split_last() else { return DVec3::X };
+        let slope = |axis: DVec4| before.iter().fold(axis, |d, q| self.power_slope(*q, d)).dot(*last);
+        DVec3::new(slope(DVec4::X), slope(DVec4::Y), slope(DVec4::Z))
+    }
+
+    /// The derivative of [`power`](Self::power) at `q` along `d`.
+    fn power_slope(&self, q: DVec4, d: DVec4) -> DVec4 {
+        let (x, v) = (q.x, DVec3::new(q.y, q.z, q.w));
+        let (dx, dv) = (d.x, DVec3::new(d.y, d.z, d.w));
+        let (r, w) = match self.function {
+            JuliaFunction::Cube => (
+                3.0 * (x * x - v.length_squared()) * dx - 6.0 * x * v.dot(dv),
+                dv * (3.0 * x * x - v.length_squared()) + v * (6.0 * x * dx - 2.0 * v.dot(dv)),
+            ),
+            _ => (2.0 * (x * dx - v.dot(dv)), (dv * x + v * dx) * 2.0),
+        };
+        DVec4::new(r, w.x, w.y, w.z)
+    }
+
+    /// Every change between inside and outside until `found` returns true.
+    fn march(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
+        let speed = ray.direction.length();
+        let unit = Ray::new(ray.origin, ray.direction / speed);
+        let (b, c) = (2.0 * unit.origin.dot(unit.direction), unit.origin.length_squared() - self.radius().powi(2));
+        let Some([enter, leave]) = quadratic_roots(1.0, b, c) else { return };
+        let end = leave.min(range.max * speed);
+        if leave < FINEST {
+            return;
+        }
+        let mut s = enter.max(FINEST);
+        let (mut inside, mut step) = self.sample(unit.at(s), unit.direction);
+        if inside {
+            s += 2.0 * FINEST;
+            (inside, step) = self.sample(unit.at(s), unit.direction);
+        }
+        while s <= end {
+            // Also where the estimate is not a number.
+            let length = if step > self.smallest_step { step } else { self.smallest_step };
+            let next = s + length;
+            if next > leave || next <= s {
+                return;
+            }
+            let (now_inside, next_step) = self.sample(unit.at(next), unit.direction);
+            if now_inside != inside && found(self.change(&unit, s, length, inside) / speed) {
+                return;
+            }
+            (s, step, inside) = (next, next_step, now_inside);
+        }
+    }
+
+    /// Halves a step until the change is found, and ends on its inner side.
+    fn change(&self, ray: &Ray, mut s: f64, mut length: f64, inside: bool) -> f64 {
+        while length > FINEST {
+            length *= 0.5;
+            if self.inside(ray.at(s + length)) == inside {
+                s += length;
+            }
+        }
+        if inside { s } else { s + length }
+    }
+}
+
+impl Primitive for Julia {
+    fn bounds(&self) -> Bounds {
+        let half = DVec3::splat(self.radius());
+        Bounds { min: -half, max: half }
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        self.march(ray, range, |t| {
+            out.extend((t > NEAREST && range.contains(t)).then_some(ShapeHit { t, part: 0 }));
+            false
+        });
+    }
+
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
+        let mut hit = None;
+        self.march(ray, range, |t| {
+            hit = (t > NEAREST && range.contains(t)).then_some(ShapeHit { t, part: 0 });
+            true
+        });
+        hit
+    }
+
+    fn contains(&self, p: DVec3) -> bool {
+        self.inside(p)
+    }
+
+    fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
+        let p = ray.at(t);
+        let mut orbit = Orbit::from_elem(self.tested_start(p), 1);
+        for i in 0..self.n_iterations {
+            let q = orbit[i];
+            // Orbits that escape by the last digit have no more to say.
+            if !q.is_finite() || q.length_squared() > 4.0 * self.escape() {
+                break;
+            }
+            orbit.push(self.next(q));
+        }
+        let gradient =
+            if self.hypercomplex { self.hypercomplex_gradient(&orbit) } else { self.quaternion_gradient(&orbit) };
+        let usable = gradient.is_finite() && gradient != DVec3::ZERO;
+        LocalSurface::plain(p, FINEST, if usable { gradient } else { DVec3::X })
+    }
+}

@@ -1,0 +1,120 @@
+//! Hypercomplex numbers x + iy + jz + kw with i² = j² = -1, ij = k, k² = 1.
+//!
+//! They are pairs of complex numbers that multiply separately, so every complex function has
+//! its hypercomplex form. Source: Davenport, A Commutative Hypercomplex Algebra with Associated
+//! Function Theory, 1996.
+
+use super::JuliaFunction as F;
+use crate::math::{DVec2, DVec4};
+
+/// A complex number: real part in x, imaginary part in y.
+type Complex = DVec2;
+
+/// A hypercomplex number, taken apart.
+#[derive(Clone, Copy)]
+pub(super) struct Pair([Complex; 2]);
+
+impl From<DVec4> for Pair {
+    fn from(q: DVec4) -> Self {
+        Self([Complex::new(q.x - q.w, q.y + q.z), Complex::new(q.x + q.w, q.y - q.z)])
+    }
+}
+
+impl From<Pair> for DVec4 {
+    fn from(Pair([a, b]): Pair) -> Self {
+        Self::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (a.y - b.y), 0.5 * (b.x - a.x))
+    }
+}
+
+impl Pair {
+    pub(super) fn times(self, other: Self) -> Self {
+        Self([times(self.0[0], other.0[0]), times(self.0[1], other.0[1])])
+    }
+
+    pub(super) fn negated(self) -> Self {
+        Self(self.0.map(|z| -z))
+    }
+
+    /// The function of both parts.
+    pub(super) fn apply(self, function: F) -> Self {
+        Self(self.0.map(|z| complex(function, z)))
+    }
+}
+
+fn times(a: Complex, b: Complex) -> Complex {
+    Complex::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
+}
+
+fn over(a: Complex, b: Complex) -> Complex {
+    times(a, Complex::new(b.x, -b.y)) / b.length_squared()
+}
+
+/// The principal logarithm.
+fn log(z: Complex) -> Complex {
+    Complex::new(z.length().ln(), z.y.atan2(z.x))
+}
+
+/// The square root with a real part that is not negative.
+fn root(z: Complex) -> Complex {
+    Complex::from_angle(0.5 * z.y.atan2(z.x)) * z.length().sqrt()
+}
+
+fn exp(z: Complex) -> Complex {
+    Complex::from_angle(z.y) * z.x.exp()
+}
+
+/// i z.
+fn turned(z: Complex) -> Complex {
+    Complex::new(-z.y, z.x)
+}
+
+/// POV-Ray's exponent below which a power is 0.
+const LEAST_EXPONENT: f64 = -690.0;
+
+/// A complex function, its branches as in POV-Ray.
+fn complex(function: F, z: Complex) -> Complex {
+    let (x, y) = (z.x, z.y);
+    let square = times(z, z);
+    match function {
+        // POV-Ray's hypercomplex `cube` iterates the square, too.
+        F::Sqr | F::Cube => square,
+        F::Exp => exp(z),
+        F::Ln => log(z),
+        F::Sin => Complex::new(x.sin() * y.cosh(), x.cos() * y.sinh()),
+        F::Cos => Complex::new(x.cos() * y.cosh(), -x.sin() * y.sinh()),
+        F::Sinh => Complex::new(x.sinh() * y.cos(), x.cosh() * y.sin()),
+        F::Cosh => Complex::new(x.cosh() * y.cos(), x.sinh() * y.sin()),
+        F::Tan => Complex::new((2.0 * x).sin(), (2.0 * y).sinh()) / ((2.0 * x).cos() + (2.0 * y).cosh()),
+        F::Tanh => Complex::new((2.0 * x).sinh(), (2.0 * y).sin()) / ((2.0 * x).cosh() + (2.0 * y).cos()),
+        F::Asin => -turned(log(turned(z) + root(Complex::X - square))),
+        F::Acos => -turned(log(z + root(square - Complex::X))),
+        F::Asinh => log(z + root(square + Complex::X)),
+        F::Acosh => log(z + root(square - Complex::X)),
+        F::Atanh => atanh(z),
+        F::Atan => atan(z),
+        F::Reciprocal => over(Complex::X, z),
+        F::Pwr(a, b) => power(z, Complex::new(a, b)),
+    }
+}
+
+fn atanh(z: Complex) -> Complex {
+    if z.x == 0.0 { Complex::new(0.0, z.y.atan()) } else { 0.5 * log(over(Complex::X + z, Complex::X - z)) }
+}
+
+fn atan(z: Complex) -> Complex {
+    if z.y == 0.0 {
+        return Complex::new(z.x.atan(), 0.0);
+    }
+    if z.x == 0.0 {
+        return turned(atanh(Complex::new(z.y, 0.0)));
+    }
+    turned(log(over(Complex::X - turned(z), Complex::X + turned(z)))) * 0.5
+}
+
+fn power(z: Complex, exponent: Complex) -> Complex {
+    if z == Complex::ZERO {
+        return Complex::ZERO;
+    }
+    let e = times(exponent, log(z));
+    if e.x < LEAST_EXPONENT { Complex::ZERO } else { exp(e) }
+}
