@@ -19,13 +19,14 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let (width, height) = super::render::DEFAULT_SIZE;
     match eval::evaluate(&scene.scene, &scene.reading(width, height), &scene.host(), &Queries::default()) {
         Ok(read) => {
-            messages::show(&read.warnings, &read.sources);
-            let found = messages::count(&read.warnings).unwrap_or_else(|| "no complaints".into());
-            messages::line(format_args!("{}: {found}", scene.scene.display()));
+            scene.messages.show(&read.warnings, &read.sources);
+            let wanted = scene.messages.wanted(&read.warnings);
+            let found = messages::count(&wanted).unwrap_or_else(|| "no complaints".into());
+            scene.messages.remark(format_args!("{}: {found}", scene.scene.display()));
             ExitCode::SUCCESS
         }
         Err(failed) => {
-            messages::show(&failed.diagnostics, &failed.sources);
+            scene.messages.show(&failed.diagnostics, &failed.sources);
             ExitCode::from(ERROR)
         }
     }

@@ -2,9 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-/// The named folders, then `$POVINC`, then those of an installed POV-Ray that exist.
-pub(super) fn search_path(named: &[PathBuf]) -> Vec<PathBuf> {
+/// The named folders, then `$POVINC`, then those of an installed POV-Ray that exist; only the named ones with
+/// `embedded`, so that the include files of this program are found.
+pub(super) fn search_path(named: &[PathBuf], embedded: bool) -> Vec<PathBuf> {
     let mut folders = named.to_vec();
+    if embedded {
+        return folders;
+    }
     if let Some(list) = std::env::var_os("POVINC") {
         folders.extend(std::env::split_paths(&list));
     }
@@ -37,6 +41,7 @@ mod tests {
     #[test]
     fn named_folders_come_first() {
         let named = [PathBuf::from("/nowhere/at/all")];
-        assert_eq!(search_path(&named)[0], named[0]);
+        assert_eq!(search_path(&named, false)[0], named[0]);
+        assert_eq!(search_path(&named, true), named);
     }
 }

@@ -1,7 +1,8 @@
 //! Messages on standard error.
 
-use crate::diag::{Diagnostic, Severity, SourceMap};
+use crate::diag::{Diagnostic, Severity, SourceMap, Topic};
 use crate::eval::Stream;
+use clap::ValueEnum;
 use std::fmt::Display;
 use std::io::{IsTerminal, Write};
 
@@ -10,11 +11,71 @@ pub(super) fn line(message: impl Display) {
     let _ = writeln!(std::io::stderr(), "{message}");
 }
 
-/// Draws all messages, colourful on a terminal.
-pub(super) fn show(diagnostics: &[Diagnostic], sources: &SourceMap) {
-    let color = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    for diagnostic in diagnostics {
-        let _ = write!(std::io::stderr(), "{}", diagnostic.render(sources, color));
+/// How messages about a scene are shown.
+#[derive(Debug, clap::Args)]
+pub(super) struct Manner {
+    /// Messages for people, or as one JSON object a line for editors
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    message_format: Format,
+    /// Leave out warnings of a sort, which stands in brackets behind the word `warning`; `all` for all
+    #[arg(long, value_name = "SORT", value_parser = topics)]
+    no_warn: Vec<Topics>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+/// What one `--no-warn` switches off.
+type Topics = &'static [Topic];
+
+fn topics(word: &str) -> Result<Topics, String> {
+    if word == "all" {
+        return Ok(&Topic::ALL);
+    }
+    let found = Topic::ALL.iter().position(|topic| topic.word() == word);
+    let words = || Topic::ALL.map(Topic::word).join(", ");
+    found.map(|i| &Topic::ALL[i..=i]).ok_or_else(|| format!("there are {} and all", words()))
+}
+
+impl Manner {
+    /// Those of the messages that are wanted.
+    pub(super) fn wanted(&self, diagnostics: &[Diagnostic]) -> Vec<Diagnostic> {
+        let unwanted = |d: &Diagnostic| d.topic.is_some_and(|t| self.no_warn.iter().any(|off| off.contains(&t)));
+        diagnostics.iter().filter(|d| !unwanted(d)).cloned().collect()
+    }
+
+    /// Shows the messages that are wanted, colourful on a terminal.
+    pub(super) fn show(&self, diagnostics: &[Diagnostic], sources: &SourceMap) {
+        let color = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+        for diagnostic in self.wanted(diagnostics) {
+            let text = match self.message_format {
+                Format::Text => diagnostic.render(sources, color),
+                Format::Json => diagnostic.to_json(sources) + "\n",
+            };
+            let _ = write!(std::io::stderr(), "{text}");
+        }
+    }
+
+    /// A line for people, which editors do not get.
+    pub(super) fn remark(&self, message: impl Display) {
+        if self.message_format == Format::Text {
+            line(message);
+        }
+    }
+
+    /// What receives the texts of `#debug` and its like.
+    pub(super) fn scene_output(&self) -> fn(Stream, &str) {
+        match self.message_format {
+            Format::Text => |_, text| {
+                let _ = write!(std::io::stderr(), "{text}");
+            },
+            Format::Json => |stream, text| {
+                line(serde_json::json!({"stream": format!("{stream:?}").to_lowercase(), "message": text}));
+            },
+        }
     }
 }
 
@@ -32,7 +93,14 @@ pub(super) fn count(diagnostics: &[Diagnostic]) -> Option<String> {
     }
 }
 
-/// What the scene itself says with `#debug` and its like.
-pub(super) fn from_scene(_stream: Stream, text: &str) {
-    let _ = write!(std::io::stderr(), "{text}");
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn topics_have_names() {
+        assert_eq!(topics("range"), Ok(&[Topic::Range][..]));
+        assert_eq!(topics("all").map(<[Topic]>::len), Ok(Topic::ALL.len()));
+        assert!(topics("rnage").is_err());
+    }
 }

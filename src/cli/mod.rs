@@ -5,6 +5,7 @@
 
 mod check;
 mod compare;
+mod dump;
 mod include_dirs;
 mod messages;
 mod render;
@@ -30,6 +31,8 @@ enum Command {
     Render(render::Arguments),
     /// Read a scene and say what is wrong with it, without rendering
     Check(check::Arguments),
+    /// Print what a stage makes of a scene, as text
+    Dump(dump::Arguments),
     /// Tell how much two EXR pictures differ
     Compare(compare::Arguments),
 }
@@ -47,6 +50,7 @@ pub fn run() -> ExitCode {
     match arguments.command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Dump(arguments) => dump::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
     }
 }
@@ -81,5 +85,10 @@ mod tests {
         check("whitted render", false);
         check("whitted compare a.exr b.exr --heatmap c.png", true);
         check("whitted check a.pov --include x --include y", true);
+        check("whitted check a.pov --limit steps=5 --no-warn range --message-format json --embedded-includes", true);
+        check("whitted check a.pov --limit step=5", false);
+        check("whitted check a.pov --no-warn rnage", false);
+        check("whitted dump a.pov --stage tokens", true);
+        check("whitted dump a.pov --stage rays", false);
     }
 }

@@ -132,11 +132,11 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let outcome = match result {
         Ok(outcome) => outcome,
         Err(failed) => {
-            messages::show(&failed.diagnostics, &failed.sources);
+            arguments.scene.messages.show(&failed.diagnostics, &failed.sources);
             return ExitCode::from(ERROR);
         }
     };
-    messages::show(&outcome.warnings, &outcome.sources);
+    arguments.scene.messages.show(&outcome.warnings, &outcome.sources);
     match write(arguments, &outcome, &output, preview.as_deref()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => fail(error),

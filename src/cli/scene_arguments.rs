@@ -1,7 +1,8 @@
 //! Arguments of every command that reads a scene.
 
-use super::{include_dirs, messages};
-use crate::eval::{self, Disk};
+use super::include_dirs;
+use super::messages::Manner;
+use crate::eval::{self, Disk, Limits};
 use std::path::{Path, PathBuf};
 
 /// Where a scene is and where it may look.
@@ -21,15 +22,29 @@ pub(super) struct SceneArguments {
     /// Value of `clock` for animations
     #[arg(long, value_name = "VALUE", default_value_t = 0.0)]
     clock: f64,
-    /// Most turns of loops and macro calls
-    #[arg(long, value_name = "N")]
-    max_steps: Option<u64>,
+    /// Change a limit on what a scene may use up: steps, macro_depth, include_depth, nesting, objects,
+    /// array_elements or string_bytes
+    #[arg(long, value_name = "NAME=N", value_parser = limit)]
+    limit: Vec<(String, u64)>,
+    /// Use the standard include files of this program, not those of an installed POV-Ray
+    #[arg(long)]
+    embedded_includes: bool,
+    #[command(flatten)]
+    pub(super) messages: Manner,
 }
 
 fn declaration(text: &str) -> Result<(String, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
     let value = value.trim().parse().map_err(|_| format!("'{value}' is not a number"))?;
     Ok((name.trim().to_owned(), value))
+}
+
+fn limit(text: &str) -> Result<(String, u64), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=N")?;
+    if !Limits::NAMES.contains(&name) {
+        return Err(format!("there is no limit '{name}', only {}", Limits::NAMES.join(", ")));
+    }
+    Ok((name.to_owned(), value.parse().map_err(|_| format!("'{value}' is not a whole number"))?))
 }
 
 impl SceneArguments {
@@ -44,20 +59,20 @@ impl SceneArguments {
             now: days_since_2000(),
             ..eval::Options::default()
         };
-        if let Some(steps) = self.max_steps {
-            options.limits.steps = steps;
+        for (name, value) in &self.limit {
+            options.limits.set(name, *value);
         }
         options
     }
 
     /// The file system as the scene may see it.
     pub(super) fn host(&self) -> Disk {
-        Disk::new(&self.scene, &self.folders(), &self.allow_write, messages::from_scene)
+        Disk::new(&self.scene, &self.folders(), &self.allow_write, self.messages.scene_output())
     }
 
     /// The scene's own folder is searched, too, which POV-Ray leaves out.
     fn folders(&self) -> Vec<PathBuf> {
-        let mut folders = include_dirs::search_path(&self.include);
+        let mut folders = include_dirs::search_path(&self.include, self.embedded_includes);
         let beside = self.scene.parent().filter(|p| !p.as_os_str().is_empty());
         folders.extend(beside.map(Path::to_owned));
         folders

@@ -6,7 +6,7 @@ use crate::compiled::geometry::{Geometry, RayKind, Scratch};
 use crate::compiled::texture::{Context, Pattern, Pigment};
 use crate::function::Callable;
 use crate::math::{Bounds, DVec3, Range, Ray};
-use crate::scene::{self, GeometryQueries, Object, Settings};
+use crate::scene::{self, Flags, GeometryQueries, Object, Settings};
 use rustc_hash::FxHashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -29,8 +29,13 @@ impl Queries {
     fn geometry(&self, object: &Arc<Object>) -> Arc<Geometry> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let address = Arc::as_ptr(object) as usize;
-        let compile =
-            || Known { _object: Arc::clone(object), geometry: Arc::new(compile_object(object).unwrap_or_default()) };
+        let compile = || {
+            // What no ray sees would be left out, but the scene may ask about it.
+            let mut seen = Object::clone(object);
+            seen.flags = Flags { no_image: false, no_reflection: false, no_shadow: false, ..seen.flags };
+            let geometry = Arc::new(compile_object(&Arc::new(seen)).unwrap_or_default());
+            Known { _object: Arc::clone(object), geometry }
+        };
         Arc::clone(&known.entry(address).or_insert_with(compile).geometry)
     }
 }
@@ -38,7 +43,7 @@ impl Queries {
 impl GeometryQueries for Queries {
     fn trace(&self, object: &Arc<Object>, ray: &Ray) -> Option<(DVec3, DVec3)> {
         let geometry = self.geometry(object);
-        let hit = geometry.intersect(ray, Range::FORWARD, RayKind::Shadow, &mut Scratch::default())?;
+        let hit = geometry.intersect(ray, Range::FORWARD, RayKind::Probe, &mut Scratch::default())?;
         let surface = geometry.surface(ray, &hit);
         Some((surface.point, surface.normal))
     }
@@ -51,17 +56,20 @@ impl GeometryQueries for Queries {
         self.geometry(object).bounds()
     }
 
-    fn pigment_function(&self, pigment: &Arc<scene::Pigment>) -> Arc<dyn Callable> {
-        let settings = Settings::default();
-        let compiled = TextureCompiler::new(&settings).pigment(pigment);
+    fn pigment_function(&self, pigment: &Arc<scene::Pigment>, settings: &Settings) -> Arc<dyn Callable> {
+        let compiled = TextureCompiler::new(&for_functions(settings)).pigment(pigment);
         Arc::new(PigmentFunction(compiled.unwrap_or(Pigment::Solid(crate::math::Color::BLACK))))
     }
 
-    fn pattern_function(&self, pattern: &Arc<scene::Pattern>) -> Arc<dyn Callable> {
-        let settings = Settings::default();
-        let compiled = TextureCompiler::new(&settings).pattern(pattern);
+    fn pattern_function(&self, pattern: &Arc<scene::Pattern>, settings: &Settings) -> Arc<dyn Callable> {
+        let compiled = TextureCompiler::new(&for_functions(settings)).pattern(pattern);
         Arc::new(PatternFunction(compiled.unwrap_or(Pattern::of(crate::compiled::texture::PatternKind::None))))
     }
+}
+
+/// The settings that functions see: the scene's own, but as in POV-Ray 3.7 always the default number of waves.
+fn for_functions(settings: &Settings) -> Settings {
+    Settings { number_of_waves: Settings::default().number_of_waves, ..settings.clone() }
 }
 
 fn point(args: &[f64]) -> DVec3 {
@@ -94,5 +102,42 @@ impl Callable for PatternFunction {
 
     fn call(&self, args: &[f64]) -> [f64; 5] {
         [self.0.value(point(args), &Context::default()), 0.0, 0.0, 0.0, 0.0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::eval::{Memory, Options, evaluate};
+
+    /// What a scene prints after these global settings.
+    fn printed(settings: &str, function: &str) -> String {
+        let text = format!(
+            "#version 3.7; global_settings {{ {settings} }} #declare F = function {{ {function} }}
+            #declare V = F(1.3, 2.7, -0.4); #debug str(V.x, 0, 6)"
+        );
+        let host = Memory::new([("a.pov", text.as_str())]);
+        assert!(evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default()).is_ok(), "{text}");
+        host.messages()
+    }
+
+    #[test]
+    fn trace_meets_what_shadows_pass_by() {
+        let scene = "#version 3.7; #declare S = sphere { 0, 1 no_shadow no_image no_reflection }
+            #declare N = <0, 0, 0>; #declare P = trace(S, 2 * y, -y, N); #debug vstr(3, P + N, \",\", 0, 1)";
+        let host = Memory::new([("a.pov", scene)]);
+        assert!(evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default()).is_ok());
+        assert_eq!(host.messages(), "0.0,2.0,0.0");
+    }
+
+    /// Values printed by POV-Ray 3.7.0.10.
+    #[test]
+    fn functions_follow_the_global_settings() {
+        let bozo = "pigment { bozo color_map { [0 rgb 0] [1 rgb 1] } }";
+        assert_eq!(printed("noise_generator 1", bozo), "0.589639");
+        assert_eq!(printed("noise_generator 3", bozo), "0.787601");
+        let waves = "pigment { waves color_map { [0 rgb 0] [1 rgb 1] } }";
+        assert_eq!(printed("number_of_waves 3", waves), "0.513905");
+        assert_eq!(printed("number_of_waves 10", waves), "0.513905");
     }
 }

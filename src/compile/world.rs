@@ -6,7 +6,7 @@ use super::{camera, light};
 use crate::compiled::atmosphere::{Atmosphere, Fog, FogTurbulence, Rainbow, Sky};
 use crate::compiled::interior::{Interior, InteriorFade};
 use crate::compiled::{Group, Settings, Transfer, World};
-use crate::diag::{Diagnostic, SourceResult, Span};
+use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::DVec3;
 use crate::math::noise::Octaves;
 use crate::scene::{self, Gamma, Object, Scene, Texture, Working};
@@ -193,6 +193,6 @@ fn warn_about_media(scene: &Scene, interiors: &[Arc<scene::Interior>], warnings:
         (scene.settings.subsurface.is_some(), "`subsurface` light transport is not rendered"),
     ];
     for (_, message) in left_out.into_iter().filter(|(present, _)| *present) {
-        warnings.push(Diagnostic { span: None, ..Diagnostic::warning(Span::default(), message) });
+        warnings.push(Diagnostic::warning(Topic::Unsupported, Span::default(), message).without_place());
     }
 }

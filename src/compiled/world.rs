@@ -33,6 +33,23 @@ pub struct World {
     pub settings: Settings,
 }
 
+impl World {
+    /// How much there is of what, in a fixed order.
+    pub fn summary(&self) -> Vec<(&'static str, usize)> {
+        let mut summary = self.geometry.summary();
+        let opaque = self.opaque.iter().filter(|opaque| **opaque).count();
+        summary.extend([
+            ("textures", self.textures.len()),
+            ("opaque textures", opaque),
+            ("interiors", self.interiors.len()),
+            ("lights", self.lights.len()),
+            ("lights of groups", self.lights.len() - self.n_global_lights.min(self.lights.len())),
+            ("light groups", self.groups.len()),
+        ]);
+        summary
+    }
+}
+
 /// Lights of one light group.
 #[derive(Clone, Debug, Default)]
 pub struct Group {

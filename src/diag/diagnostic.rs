@@ -1,6 +1,6 @@
 //! Messages about a scene.
 
-use super::Span;
+use super::{Span, Topic};
 
 /// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -16,6 +16,8 @@ pub enum Severity {
 pub struct Diagnostic {
     /// How bad it is.
     pub severity: Severity,
+    /// What sort of warning it is; `None` for errors.
+    pub topic: Option<Topic>,
     /// Where; `None` for messages about the whole scene.
     pub span: Option<Span>,
     /// What is wrong, in one sentence without a full stop.
@@ -34,6 +36,7 @@ impl Diagnostic {
     pub fn error(span: Span, message: impl Into<String>) -> Self {
         Self {
             severity: Severity::Error,
+            topic: None,
             span: Some(span),
             message: message.into(),
             trace: Vec::new(),
@@ -42,8 +45,23 @@ impl Diagnostic {
     }
 
     /// A warning at a place.
-    pub fn warning(span: Span, message: impl Into<String>) -> Self {
-        Self { severity: Severity::Warning, ..Self::error(span, message) }
+    pub fn warning(topic: Topic, span: Span, message: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, topic: Some(topic), ..Self::error(span, message) }
+    }
+
+    /// Without a place: it concerns the scene as a whole.
+    #[must_use]
+    pub fn without_place(mut self) -> Self {
+        self.span = None;
+        self
+    }
+
+    /// `error`, or `warning` with its topic in brackets.
+    pub(super) fn head(&self) -> String {
+        match self.topic {
+            Some(topic) => format!("{}[{}]", self.severity.word(), topic.word()),
+            None => self.severity.word().to_owned(),
+        }
     }
 
     /// Adds a hint.

@@ -12,7 +12,9 @@ mod diagnostic;
 mod render;
 mod source_map;
 mod suggest;
+mod topic;
 
 pub use diagnostic::{Diagnostic, Severity, SourceResult};
 pub use source_map::{Excerpt, FileId, LineColumn, SourceFile, SourceMap, Span};
 pub use suggest::nearest;
+pub use topic::Topic;

@@ -1,6 +1,6 @@
 //! Messages as people and editors read them.
 
-use super::{Diagnostic, Severity, SourceMap, Span};
+use super::{Diagnostic, Severity, SourceMap, Span, Topic};
 use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind, Source};
 use serde_json::json;
 
@@ -24,7 +24,7 @@ impl Diagnostic {
     pub fn render(&self, sources: &SourceMap, color: bool) -> String {
         let Some(span) = self.span else {
             let hints: String = self.hints.iter().map(|h| format!("  help: {h}\n")).collect();
-            return format!("{}: {}\n{hints}", self.severity.word(), self.message);
+            return format!("{}: {}\n{hints}", self.head(), self.message);
         };
         let (shown, place) = (sources.excerpt(span), sources.line_column(span));
         let ink = match self.severity {
@@ -32,7 +32,8 @@ impl Diagnostic {
             Severity::Warning => Color::Yellow,
             Severity::Error => Color::Red,
         };
-        let kind = ReportKind::Custom(self.severity.word(), ink);
+        let head = self.head();
+        let kind = ReportKind::Custom(&head, ink);
         let config = Config::default()
             .with_color(color)
             .with_char_set(if color { CharSet::Unicode } else { CharSet::Ascii })
@@ -50,7 +51,7 @@ impl Diagnostic {
             report.add_help(hint);
         }
         if shown.cut {
-            report.add_note(format!("this is column {}; the beginning of the long line is left out", place.column));
+            report.add_note("the beginning of the long line is left out");
         }
         for (span, what) in &self.trace {
             report.add_note(format!("{what} at {}", describe(sources, *span)));
@@ -59,9 +60,14 @@ impl Diagnostic {
         let mut out = Vec::new();
         let written = report.finish().write((name, source), &mut out);
         match written {
-            Ok(()) if color => String::from_utf8_lossy(&out).into_owned(),
-            Ok(()) => without_color(&String::from_utf8_lossy(&out)),
-            Err(_) => format!("{}: {}: {}\n", describe(sources, span), self.severity.word(), self.message),
+            Ok(()) => {
+                // The head counts columns from the start of the text that is shown.
+                let text = String::from_utf8_lossy(&out);
+                let (wrong, right) = (format!(":{}:{} ", place.line, shown.start + 1), place.column);
+                let text = text.replacen(&wrong, &format!(":{}:{right} ", place.line), 1);
+                if color { text } else { without_color(&text) }
+            }
+            Err(_) => format!("{}: {}: {}\n", describe(sources, span), self.head(), self.message),
         }
     }
 
@@ -76,6 +82,7 @@ impl Diagnostic {
             self.trace.iter().map(|(span, what)| json!({"message": what, "place": place(*span)})).collect();
         json!({
             "severity": self.severity.word(),
+            "topic": self.topic.map(Topic::word),
             "message": self.message,
             "place": self.span.map(place),
             "trace": trace,

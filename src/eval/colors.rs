@@ -1,7 +1,7 @@
 //! Colour expressions.
 
 use super::{Evaluator, Number, Value};
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::math::{Color, Rgb};
 use crate::scene::{Gamma, Working};
 use crate::syntax::{Keyword, TokenKind};
@@ -29,7 +29,7 @@ impl Evaluator<'_> {
         // A lone float fills all five components; that is meant as a grey.
         let [red, rest @ ..] = color.to_array();
         if (color.filter != 0.0 || color.transmit != 0.0) && rest != [red; 4] {
-            self.warn_here("rgb_only", span, format!("filter and transmit have no meaning in {what}"));
+            self.warn_here(Topic::Ignored, span, format!("filter and transmit have no meaning in {what}"));
         }
         Ok(color.rgb)
     }
@@ -67,7 +67,7 @@ impl Evaluator<'_> {
             };
             if word == Keyword::Alpha {
                 let span = self.span();
-                self.warn_here("alpha", span, "'alpha' is an old word for 'filter'");
+                self.warn_here(Topic::Outdated, span, "'alpha' is an old word for 'filter'");
             }
             self.take();
             color.v[index] = self.float()?;
@@ -83,7 +83,11 @@ impl Evaluator<'_> {
         self.take();
         let given = self.full(n)?;
         if given.n > n {
-            self.warn_here("wide color", span, format!("this colour has {} components where {n} are wanted", given.n));
+            self.warn_here(
+                Topic::Ignored,
+                span,
+                format!("this colour has {} components where {n} are wanted", given.n),
+            );
         }
         let mut v = given.v;
         if transmit {

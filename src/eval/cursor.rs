@@ -367,7 +367,10 @@ impl Evaluator<'_> {
                 Role::Include => "in a file included".to_owned(),
                 Role::Main | Role::Data => continue,
             };
-            if diagnostic.trace.len() < MAX_TRAIL {
+            // A recursion is told once.
+            if diagnostic.trace.len() < MAX_TRAIL
+                && diagnostic.trace.last().is_none_or(|(span, _)| *span != cursor.call)
+            {
                 diagnostic.trace.push((cursor.call, what));
             }
         }

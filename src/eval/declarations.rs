@@ -2,7 +2,7 @@
 
 use super::scope::{Scopes, TableId};
 use super::{Evaluator, Number, Place, Value, colors};
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::syntax::{Keyword, Symbol, TokenKind};
 use std::rc::Rc;
 
@@ -51,7 +51,7 @@ impl Evaluator<'_> {
             }
             Target::New(table) => self.scopes.bind(table, name, Place::new(value)),
             Target::Nowhere => self.warn_here(
-                "local element",
+                Topic::Ignored,
                 span,
                 "#local cannot change an array that was declared outside of this macro or file; nothing is stored",
             ),
@@ -142,7 +142,7 @@ impl Evaluator<'_> {
             if self.version >= 350 {
                 return self.expected("';' behind the value");
             }
-            self.warn_here("semicolon", span, "a ';' is missing behind the value");
+            self.warn_here(Topic::Syntax, span, "a ';' is missing behind the value");
             return Ok(());
         }
         self.take();
@@ -265,7 +265,7 @@ impl Evaluator<'_> {
             }
             _ => {
                 if !self.scopes.unbind(name) {
-                    self.warn_here("undef", span, "this name is not declared");
+                    self.warn_here(Topic::Ignored, span, "this name is not declared");
                 }
                 Ok(())
             }

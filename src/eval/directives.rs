@@ -1,7 +1,7 @@
 //! Which directive does what, and the blocks that `#end` closes.
 
 use super::{Evaluator, Place};
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::syntax::{Directive, Keyword, Position, TokenKind};
 
 /// A conditional or loop whose `#end` is still to come.
@@ -109,7 +109,7 @@ impl Evaluator<'_> {
         };
         let span = self.span();
         if matches!(directive, Directive::Declare | Directive::Include) {
-            self.warn_here("hash", span, format!("'{}' should have a # in front", directive.word()));
+            self.warn_here(Topic::Syntax, span, format!("'{}' should have a # in front", directive.word()));
         }
         self.take();
         self.run_directive(directive, span)?;
@@ -131,7 +131,7 @@ impl Evaluator<'_> {
             return self.error(span, format!("version {value} is newer than 3.7, the newest that is supported"));
         }
         if !self.version_given && !self.scene.objects.is_empty() {
-            self.warn(span, "#version should be the first statement of a scene");
+            self.warn(Topic::Version, span, "#version should be the first statement of a scene");
         }
         self.version = hundredths.max(0.0) as u32;
         self.version_given = true;
@@ -153,7 +153,7 @@ impl Evaluator<'_> {
             Directive::Error => return self.error(span, format!("#error: {}", text.trim_end())),
             Directive::Warning => {
                 let line = text.replace('\n', " ");
-                self.warn(span, line.trim_end());
+                self.warn(Topic::Scene, span, line.trim_end());
                 return Ok(());
             }
             Directive::Debug => super::Stream::Debug,

@@ -7,8 +7,9 @@
 //! Two strengths exist: `arithmetic` knows `+ - * /`, signs and components; `full` adds
 //! comparisons, `& |` and `?:`. Which place takes which: language facts, section 5.
 
+use super::macros::arguments_in_words;
 use super::{Evaluator, Number, Value};
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::math::{DVec2, DVec3, DVec4};
 use crate::syntax::formula::Operator;
 use crate::syntax::{Keyword, Symbol, TokenKind};
@@ -302,7 +303,7 @@ impl Evaluator<'_> {
 
     /// A component was divided by an exact zero.
     pub(super) fn warn_division(&mut self, span: Span) {
-        self.warn_here("division", span, "division by zero; the result is taken to be infinite");
+        self.warn_here(Topic::Arithmetic, span, "division by zero; the result is taken to be infinite");
     }
 
     /// An operand with its signs and component, widened.
@@ -408,7 +409,8 @@ impl Evaluator<'_> {
                 let arguments = self.float_arguments()?;
                 let (wanted, given) = (function.n_parameters, arguments.len());
                 if wanted != given {
-                    return self.error(span, format!("this function takes {wanted} arguments, {given} are given"));
+                    return self
+                        .error(span, format!("this function takes {}, not {given}", arguments_in_words(wanted)));
                 }
                 let n = function.width().clamp(1, 5) as u8;
                 Ok(Some(Number { n, v: function.call(&arguments) }))

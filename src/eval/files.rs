@@ -3,7 +3,7 @@
 use super::cursor::{Cursor, Role};
 use super::scope::Scopes;
 use super::{Evaluator, Number, Place, Value};
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::syntax::{Keyword, Position, Symbol, Token, TokenKind};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -79,7 +79,11 @@ impl Evaluator<'_> {
     /// Where a scene may not write, what it writes stays in memory, for it to read again.
     fn keep_in_memory(&mut self, path: &Path, append: bool, span: Span) {
         let name = path.display();
-        self.warn(span, format!("{name} is kept in memory only: scenes may write to a folder after --allow-write DIR"));
+        self.warn(
+            Topic::Files,
+            span,
+            format!("{name} is kept in memory only: scenes may write to a folder after --allow-write DIR"),
+        );
         let text = self.unsaved.entry(path.to_owned()).or_default();
         if !append {
             text.clear();

@@ -2,7 +2,7 @@
 
 use super::expressions::truth;
 use super::{Evaluator, Number, Value};
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::syntax::{Keyword, TokenKind};
 
 /// Truncation to a signed 32-bit integer; what does not fit, and NaN, gives the smallest one.
@@ -238,7 +238,7 @@ impl Evaluator<'_> {
             Ok(value) => Ok(value),
             Err((message, None)) => self.error(span, message),
             Err((message, Some(value))) => {
-                self.warn_here("domain", span, message);
+                self.warn_here(Topic::Arithmetic, span, message);
                 Ok(value)
             }
         }

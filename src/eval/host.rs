@@ -2,7 +2,7 @@
 
 use crate::function::Callable;
 use crate::math::{Bounds, DVec3, Ray};
-use crate::scene::{GeometryQueries, Object, Pattern, Pigment};
+use crate::scene::{GeometryQueries, Object, Pattern, Pigment, Settings};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -111,11 +111,11 @@ impl GeometryQueries for NoQueries {
         Bounds::from_corners(DVec3::ZERO, DVec3::ZERO)
     }
 
-    fn pigment_function(&self, _: &Arc<Pigment>) -> Arc<dyn Callable> {
+    fn pigment_function(&self, _: &Arc<Pigment>, _: &Settings) -> Arc<dyn Callable> {
         Arc::new(Zero(5))
     }
 
-    fn pattern_function(&self, _: &Arc<Pattern>) -> Arc<dyn Callable> {
+    fn pattern_function(&self, _: &Arc<Pattern>, _: &Settings) -> Arc<dyn Callable> {
         Arc::new(Zero(1))
     }
 }

@@ -2,7 +2,8 @@
 
 use super::Evaluator;
 use super::cursor::{Cursor, Role};
-use crate::diag::{SourceResult, Span};
+use super::standard_includes::{standard_include, standard_include_names};
+use crate::diag::{SourceResult, Span, nearest};
 use crate::syntax::Position;
 use std::path::{Path, PathBuf};
 
@@ -15,17 +16,7 @@ impl Evaluator<'_> {
         } else {
             &[".inc", ".INC", ""]
         };
-        let Some(path) = self.find_file(&name, extensions) else {
-            return self.error_with_hint(
-                span,
-                format!("cannot find the include file '{name}'"),
-                "folders to look in can be given with --include DIR",
-            );
-        };
-        let text = match self.host.read(&path) {
-            Ok(text) => text,
-            Err(error) => return self.error(span, format!("cannot read {}: {error}", path.display())),
-        };
+        let (path, text) = self.include_text(&name, extensions, span)?;
         self.include_depth += 1;
         let limit = self.options.limits.include_depth;
         if self.include_depth > limit {
@@ -38,6 +29,23 @@ impl Evaluator<'_> {
         cursor.call = span;
         self.cursors.push(cursor);
         Ok(())
+    }
+
+    /// The file that `#include` names, or what comes with this program under that name.
+    fn include_text(&mut self, name: &str, extensions: &[&str], span: Span) -> SourceResult<(PathBuf, Vec<u8>)> {
+        if let Some(path) = self.find_file(name, extensions) {
+            return match self.host.read(&path) {
+                Ok(text) => Ok((path, text)),
+                Err(error) => self.error(span, format!("cannot read {}: {error}", path.display())),
+            };
+        }
+        let mut names = extensions.iter().map(|extension| format!("{name}{extension}"));
+        if let Some((name, text)) = names.find_map(|name| standard_include(&name).map(|text| (name, text))) {
+            return Ok((PathBuf::from(format!("{name} (embedded)")), text.into()));
+        }
+        let near = nearest(name, standard_include_names()).map(|near| format!("did you mean '{near}'?"));
+        let hint = near.unwrap_or_else(|| "folders to look in can be given with --include DIR".into());
+        self.error_with_hint(span, format!("cannot find the include file '{name}'"), hint)
     }
 
     /// Looks for a file: the name with each extension in turn (none given: the name itself), each

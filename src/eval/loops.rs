@@ -29,6 +29,16 @@ impl Evaluator<'_> {
         Ok(())
     }
 
+    /// Counts an object.
+    pub(super) fn count_object(&mut self, span: Span) -> SourceResult<()> {
+        self.n_objects += 1;
+        let limit = self.options.limits.objects;
+        if self.n_objects > limit {
+            return self.limit(span, format!("more than {limit} objects"), "objects");
+        }
+        Ok(())
+    }
+
     pub(super) fn run_while(&mut self, span: Span) -> SourceResult<()> {
         let condition = self.here();
         if truth(self.condition()?) {

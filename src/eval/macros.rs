@@ -90,7 +90,8 @@ impl Evaluator<'_> {
         while arguments.len() < wanted {
             if self.fill(false)? == TokenKind::Punct(')') {
                 let (name, given) = (self.names.word(called.name).clone(), arguments.len());
-                return self.error(span, format!("the macro '{name}' takes {wanted} arguments, {given} are given"));
+                return self
+                    .error(span, format!("the macro '{name}' takes {}, not {given}", arguments_in_words(wanted)));
             }
             let start = self.span();
             let argument = self.argument()?;
@@ -106,9 +107,14 @@ impl Evaluator<'_> {
         }
         if self.fill(false)? != TokenKind::Punct(')') {
             let name = self.names.word(called.name).clone();
-            return self.expected(&format!("')' behind the {wanted} arguments of the macro '{name}'"));
+            return self.expected(&format!("')', for the macro '{name}' takes {}", arguments_in_words(wanted)));
         }
         self.take();
         Ok(arguments)
     }
+}
+
+/// "1 argument", "2 arguments".
+pub(in crate::eval) fn arguments_in_words(n: usize) -> String {
+    format!("{n} argument{}", if n == 1 { "" } else { "s" })
 }

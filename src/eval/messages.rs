@@ -1,7 +1,8 @@
 //! Errors and warnings with their place and the way there.
 
 use super::Evaluator;
-use crate::diag::{Diagnostic, SourceResult, Span, nearest};
+use super::standard_includes::declared_in;
+use crate::diag::{Diagnostic, SourceResult, Span, Topic, nearest};
 use crate::syntax::{Keyword, Symbol, Token, TokenKind};
 
 #[allow(clippy::missing_errors_doc)]
@@ -35,7 +36,7 @@ impl Evaluator<'_> {
         self.ahead = Some(token);
         let found = self.describe(&token);
         let error = Diagnostic::error(token.span, format!("expected {what}, found {found}"));
-        Err(vec![self.with_trace(match self.advice(&token) {
+        Err(vec![self.with_trace(match self.advice(what, &token) {
             Some(advice) => error.hint(advice),
             None => error,
         })])
@@ -61,17 +62,11 @@ impl Evaluator<'_> {
         }
     }
 
-    /// A near name, for a word that means nothing.
-    fn advice(&self, token: &Token) -> Option<String> {
-        let TokenKind::Name(name) = token.kind else { return None };
-        if self.scopes.find(name).is_some() {
-            return None;
-        }
-        self.near_name(name)
-    }
-
-    /// "did you mean …?"
+    /// Where a name comes from, or "did you mean …?"
     pub(super) fn near_name(&self, name: Symbol) -> Option<String> {
+        if let Some(file) = declared_in(self.names.word(name)) {
+            return Some(format!("it is declared in a standard file: #include \"{file}\""));
+        }
         let declared = self.scopes.names().map(|s| &**self.names.word(s));
         let words = Keyword::ALL.iter().map(|k| k.word());
         nearest(self.names.word(name), declared.chain(words)).map(|near| format!("did you mean '{near}'?"))
@@ -87,26 +82,26 @@ impl Evaluator<'_> {
     }
 
     /// A warning at a place.
-    pub fn warn(&mut self, span: Span, message: impl Into<String>) {
+    pub fn warn(&mut self, topic: Topic, span: Span, message: impl Into<String>) {
         /// A loop must not fill memory with warnings.
         const MAX_WARNINGS: usize = 1000;
         if self.warnings.len() < MAX_WARNINGS {
-            let warning = self.with_trace(Diagnostic::warning(span, message));
+            let warning = self.with_trace(Diagnostic::warning(topic, span, message));
             self.warnings.push(warning);
         }
     }
 
-    /// A warning that is given once for each key.
-    pub fn warn_once(&mut self, key: &'static str, span: Span, message: impl Into<String>) {
-        if self.warned.insert((key, 0)) {
-            self.warn(span, message);
+    /// A warning that is given once for its topic.
+    pub fn warn_once(&mut self, topic: Topic, span: Span, message: impl Into<String>) {
+        if self.warned.insert((topic, 0)) {
+            self.warn(topic, span, message);
         }
     }
 
-    /// A warning that is given once for each key and place.
-    pub(super) fn warn_here(&mut self, key: &'static str, span: Span, message: impl Into<String>) {
-        if self.warned.insert((key, (u64::from(span.file.0) << 32) + u64::from(span.start) + 1)) {
-            self.warn(span, message);
+    /// A warning that is given once for its topic and place.
+    pub(super) fn warn_here(&mut self, topic: Topic, span: Span, message: impl Into<String>) {
+        if self.warned.insert((topic, (u64::from(span.file.0) << 32) + u64::from(span.start) + 1)) {
+            self.warn(topic, span, message);
         }
     }
 
@@ -120,6 +115,6 @@ impl Evaluator<'_> {
             self.scopes.deprecated.remove(&name);
         }
         let span = self.span();
-        self.warn_here("deprecated", span, &*text);
+        self.warn_here(Topic::Outdated, span, &*text);
     }
 }

@@ -16,6 +16,7 @@
 //! assert_eq!(host.messages(), "sum 3");
 //! ```
 
+mod advice;
 mod arguments;
 mod arrays;
 pub mod blocks;
@@ -39,6 +40,7 @@ mod options;
 mod printf;
 mod random;
 mod scope;
+mod standard_includes;
 mod strings;
 mod tokens;
 mod transforms;
@@ -52,9 +54,10 @@ mod probes;
 pub use disk::Disk;
 pub use host::{Host, Memory, NoQueries, Stream};
 pub use options::{Limits, Options};
+pub use standard_includes::{standard_include, standard_include_names};
 pub use value::{Array, Macro, Number, Value};
 
-use crate::diag::{Diagnostic, FileId, SourceMap, SourceResult, Span};
+use crate::diag::{Diagnostic, FileId, SourceMap, SourceResult, Span, Topic};
 use crate::scene::{GeometryQueries, Scene};
 use crate::syntax::{Names, Position, Source, Token, TokenKind};
 use cursor::{Cursor, Role};
@@ -116,6 +119,7 @@ pub struct Evaluator<'h> {
     include_depth: usize,
     macro_depth: usize,
     steps: u64,
+    n_objects: usize,
     /// A `#switch` that waits for its first `#case`.
     case_wanted: bool,
     random: random::Streams,
@@ -123,7 +127,7 @@ pub struct Evaluator<'h> {
     /// What was written to files that may not be written.
     unsaved: rustc_hash::FxHashMap<PathBuf, Vec<u8>>,
     warnings: Vec<Diagnostic>,
-    warned: rustc_hash::FxHashSet<(&'static str, u64)>,
+    warned: rustc_hash::FxHashSet<(Topic, u64)>,
     /// `utf8` strings, from a byte order mark or `charset`.
     pub(super) utf8: bool,
 }
@@ -178,6 +182,7 @@ impl<'h> Evaluator<'h> {
             include_depth: 0,
             macro_depth: 0,
             steps: 0,
+            n_objects: 0,
             case_wanted: false,
             random: random::Streams::default(),
             files: Vec::new(),
@@ -210,16 +215,11 @@ impl<'h> Evaluator<'h> {
         self.declare_given(path);
         self.cursors.push(Cursor::new(source, (Position::default(), None), Role::Main));
         loop {
-            let token = *self.peek()?;
-            if token.kind == TokenKind::End {
+            if self.peek()?.kind == TokenKind::End {
                 break;
             }
             if !self.hashless_directive()? && !self.scene_item()? {
                 return self.expected("an object, a block or a directive");
-            }
-            if self.scene.objects.len() > self.options.limits.objects {
-                let limit = self.options.limits.objects;
-                return self.limit(token.span, format!("more than {limit} objects"), "objects");
             }
         }
         self.finish();
@@ -232,7 +232,7 @@ impl<'h> Evaluator<'h> {
             self.scene.settings.version = self.version;
         } else {
             self.warn_once(
-                "version",
+                Topic::Version,
                 Span::default(),
                 "this scene has no #version, so rules from before version 3.7 hold; start it with '#version 3.7;'",
             );

@@ -52,12 +52,34 @@ pub struct Limits {
     pub nesting: usize,
     /// Turns of loops and macro calls, all together.
     pub steps: u64,
-    /// Objects at top level of the scene.
+    /// Objects that are written out, those within others included; copies of declared ones cost little.
     pub objects: usize,
     /// Elements of an array.
     pub array_elements: usize,
     /// Bytes of a string.
     pub string_bytes: usize,
+}
+
+impl Limits {
+    /// Their names, as messages and the command line call them.
+    pub const NAMES: [&str; 7] =
+        ["include_depth", "macro_depth", "nesting", "steps", "objects", "array_elements", "string_bytes"];
+
+    /// Sets a limit by its name; false for a name that does not exist.
+    pub fn set(&mut self, name: &str, value: u64) -> bool {
+        let count = usize::try_from(value).unwrap_or(usize::MAX);
+        match name {
+            "include_depth" => self.include_depth = count,
+            "macro_depth" => self.macro_depth = count,
+            "nesting" => self.nesting = count,
+            "steps" => self.steps = value,
+            "objects" => self.objects = count,
+            "array_elements" => self.array_elements = count,
+            "string_bytes" => self.string_bytes = count,
+            _ => return false,
+        }
+        true
+    }
 }
 
 impl Default for Limits {
@@ -66,10 +88,28 @@ impl Default for Limits {
             include_depth: 64,
             macro_depth: 1000,
             nesting: 500,
-            steps: 20_000_000,
-            objects: 4_000_000,
+            steps: 10_000_000,
+            objects: 1_000_000,
             array_elements: 20_000_000,
             string_bytes: 1 << 24,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Limits;
+
+    #[test]
+    fn every_limit_can_be_set_by_name() {
+        let changed = Limits::NAMES.map(|name| {
+            let mut limits = Limits::default();
+            assert!(limits.set(name, 3), "{name}");
+            limits
+        });
+        for (i, limits) in changed.iter().enumerate() {
+            assert!(*limits != Limits::default() && !changed[..i].contains(limits), "{}", Limits::NAMES[i]);
+        }
+        assert!(!Limits::default().set("stepps", 3));
     }
 }

@@ -280,6 +280,9 @@ fn vector_functions() {
     check("vrotate(x,90*y)", &[0.0, 0.0, -1.0]);
     check("vaxis_rotate(<1,2,3>,<1,1,0>,90)", &[3.621320343559642, -0.621320343559643, 0.5_f64.sqrt()]);
     warns("#declare A = vnormalize(0);", "length zero");
+    let six = |octaves: &str| format!("vstr(3,vturbulence(2,.5,{octaves},<1.1,2.2,3.3>),\" \",0,6)");
+    string(&six("6"), "-0.492049 -0.251254 0.422431");
+    string(&six("1"), "-0.387279 -0.145373 0.409631");
 }
 
 #[test]
@@ -395,7 +398,7 @@ fn macros() {
     prints("#macro Outer() #macro Inner() S(\"i\") #end #end Outer() Inner()", "i ");
     prints("#macro M() S(\"1\") #end #macro M() S(\"2\") #end M()", "2 ");
     prints("#macro Q() 7; #end #declare N = Q() F(N)", "7.000000 ");
-    fails("#macro M(a) #end M()", "takes 1 arguments, 0 are given");
+    fails("#macro M(a) #end M()", "takes 1 argument, not 0");
     fails("#macro M(a) #end M(1,2)", "expected ')'");
     fails("#macro M() M() #end M()", "macro calls inside one another");
     fails("#macro M() #if (1) #end M()", "no #end");
@@ -531,4 +534,49 @@ fn directives_anywhere() {
     fails("#declare V=x; #declare A = V. #if (1) y #end;", "component");
     prints("#declare A = 1 + #declare B = 2; B; F(A)", "3.000000 ");
     fails("#declare A #if (0) #end = 1;", "'='");
+}
+
+/// Whatever the bytes, there is an answer with a place.
+fn refuses_bytes(bytes: &[u8], message: &str) {
+    use super::Host as _;
+    let host = Memory::default();
+    assert!(host.append("main.pov".as_ref(), bytes).is_ok());
+    let limits = Limits { steps: 10_000, ..Limits::default() };
+    let options = Options { limits, ..Options::default() };
+    let start: String = String::from_utf8_lossy(&bytes[..bytes.len().min(40)]).into_owned();
+    match evaluate("main.pov".as_ref(), &options, &host, &NoQueries) {
+        Ok(_) => panic!("{start} was read"),
+        Err(failed) => {
+            let last = failed.diagnostics.last();
+            let shown = last.map_or_else(String::new, |d| d.render(&failed.sources, false));
+            assert!(shown.contains(message) && shown.contains("main.pov:"), "{start}: {shown}");
+        }
+    }
+}
+
+#[test]
+fn bad_input_gets_an_answer() {
+    let version = "#version 3.7; ";
+    let with = |text: String| format!("{version}{text}").into_bytes();
+    refuses_bytes(&with("#declare A = ".to_owned() + &"(".repeat(100_000)), "levels of braces");
+    refuses_bytes(&with("#declare A = <".to_owned() + &"<".repeat(100_000)), "levels of braces");
+    refuses_bytes(&with("#declare A = ".to_owned() + &"-".repeat(1_000_000)), "found the end of the file");
+    refuses_bytes(&with("#declare A = ".to_owned() + &"1?".repeat(100_000)), "';'");
+    refuses_bytes(&with("#declare A = (".to_owned() + &"1?".repeat(100_000)), "levels of braces");
+    refuses_bytes(&with("#declare A = ".repeat(100_000)), "levels of braces");
+    refuses_bytes(&with("#if (1) ".repeat(100_000)), "before the #end");
+    refuses_bytes(&with("#if (0) ".repeat(100_000)), "no #end");
+    refuses_bytes(&with("#if (".repeat(100_000)), "levels of braces");
+    refuses_bytes(&with("/*".repeat(100_000)), "comments nest too deeply");
+    refuses_bytes(&with("union { ".repeat(100_000)), "");
+    refuses_bytes(&with("#macro M() M() #end M()".to_owned()), "macro calls inside one another");
+    refuses_bytes(&with("#declare S = \"aaaaaaaa\"; #while (1) #declare S = concat(S, S) #end".to_owned()), "bytes");
+    refuses_bytes(&with("#declare A = array[3000][3000][3000];".to_owned()), "elements");
+    refuses_bytes(&with("x".repeat(1_000_000)), "255");
+    refuses_bytes(&with("Q ".repeat(1_000_000)), "undeclared");
+    refuses_bytes(&with("1,".repeat(1_000_000)), "found a number");
+    refuses_bytes(&with("\"".to_owned() + &"a".repeat(1_000_000)), "never closed");
+    refuses_bytes(&(0..=255).cycle().take(100_000).collect::<Vec<u8>>(), "");
+    refuses_bytes(b"\x7fELF\x02\x01\x01\0\0\0\0\xff\xfe", "no meaning");
+    refuses_bytes(b"sphere { \xe9 }", "no meaning");
 }

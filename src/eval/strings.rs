@@ -3,7 +3,7 @@
 use super::float_functions::int32;
 use super::printf::{compact, date_time, fixed};
 use super::{Evaluator, Value};
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::syntax::{Keyword, TokenKind};
 use std::rc::Rc;
 
@@ -83,14 +83,18 @@ impl Evaluator<'_> {
         }
         if outside {
             self.warn_here(
-                "charset",
+                Topic::Files,
                 span,
                 "characters outside of ASCII become blanks here; write global_settings { charset utf8 } before",
             );
         }
         match unescape(&characters) {
             Ok(text) => Ok(text.into()),
-            Err(sequence) => self.error(span, format!("unknown escape sequence '\\{sequence}' in this string")),
+            Err(sequence) => self.error_with_hint(
+                span,
+                format!("unknown escape sequence '\\{sequence}' in this string"),
+                "a backslash is written twice; folders may be separated by '/' on every system",
+            ),
         }
     }
 

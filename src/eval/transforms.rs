@@ -2,7 +2,7 @@
 
 use super::expressions::EPSILON;
 use super::{Evaluator, Value};
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::math::{DVec3, Transform};
 use crate::syntax::Keyword;
 use std::rc::Rc;
@@ -44,7 +44,7 @@ impl Evaluator<'_> {
         for axis in 0..3 {
             if factors[axis] == 0.0 {
                 factors[axis] = 1.0;
-                self.warn_here("scale", span, "a scale factor of zero is taken as 1");
+                self.warn_here(Topic::Geometry, span, "a scale factor of zero is taken as 1");
             }
         }
         let made = Transform::scaling(factors);
@@ -76,7 +76,7 @@ impl Evaluator<'_> {
         for axis in 0..3 {
             if (0..3).all(|row| m[3 * row + axis].abs() < EPSILON) {
                 m[4 * axis] = 1.0;
-                self.warn_here("matrix", span, "a column of this matrix is zero; it gets a 1 on the diagonal");
+                self.warn_here(Topic::Geometry, span, "a column of this matrix is zero; it gets a 1 on the diagonal");
             }
         }
         let row = |i: usize| DVec3::new(m[3 * i], m[3 * i + 1], m[3 * i + 2]);

@@ -1,7 +1,7 @@
 //! Built-in constants and functions that give a vector.
 
 use super::{Evaluator, Number};
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::math::noise::{Octaves, vector_turbulence};
 use crate::math::{DVec3, Transform};
 use crate::syntax::Keyword;
@@ -34,7 +34,11 @@ impl Evaluator<'_> {
                 self.take();
                 let [a] = self.vectors()?;
                 if a == DVec3::ZERO {
-                    self.warn_here("vnormalize", span, "a vector of length zero cannot be normalised; it stays zero");
+                    self.warn_here(
+                        Topic::Arithmetic,
+                        span,
+                        "a vector of length zero cannot be normalised; it stays zero",
+                    );
                     a
                 } else {
                     a / a.length()

@@ -15,6 +15,7 @@
 
 mod atmosphere;
 mod camera;
+mod dump;
 mod interior;
 mod light;
 mod object;

@@ -147,9 +147,17 @@ pub trait GeometryQueries {
     /// The bounding box.
     fn extent(&self, object: &Arc<Object>) -> Bounds;
     /// Makes a pigment callable: five components at (x, y, z).
-    fn pigment_function(&self, pigment: &Arc<super::Pigment>) -> Arc<dyn crate::function::Callable>;
+    fn pigment_function(
+        &self,
+        pigment: &Arc<super::Pigment>,
+        settings: &super::Settings,
+    ) -> Arc<dyn crate::function::Callable>;
     /// Makes a pattern callable: one value at (x, y, z).
-    fn pattern_function(&self, pattern: &Arc<super::Pattern>) -> Arc<dyn crate::function::Callable>;
+    fn pattern_function(
+        &self,
+        pattern: &Arc<super::Pattern>,
+        settings: &super::Settings,
+    ) -> Arc<dyn crate::function::Callable>;
     /// Pixels across and down of the picture a pigment shows, if it shows one.
     fn image_size(&self, _pigment: &Arc<super::Pigment>) -> Option<[u32; 2]> {
         None

@@ -83,6 +83,11 @@ impl Directive {
         matches!(self, Self::If | Self::Ifdef | Self::Ifndef | Self::While | Self::For | Self::Switch | Self::Macro)
     }
 
+    /// Whether it ends one branch of a block and begins another.
+    pub(super) fn opens_branch(self) -> bool {
+        self.ends_branch() && self != Self::End
+    }
+
     /// Whether it ends the branch of a block it stands in.
     pub fn ends_branch(self) -> bool {
         matches!(self, Self::Else | Self::Elseif | Self::Case | Self::Range | Self::End)

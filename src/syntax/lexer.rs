@@ -20,6 +20,7 @@ pub(super) fn tokenise(file: FileId, text: &[u8], piece: Piece, names: &mut Name
     let span = |start: usize, end: usize| Span { file, start: start as u32, end: end as u32 };
     let whole = |kind| vec![Token { kind, span: span(piece.start, piece.end) }];
     match piece.kind {
+        PieceKind::Blank => return Vec::new(),
         PieceKind::Vectors => return whole(TokenKind::Vectors),
         PieceKind::DeepComment => return whole(TokenKind::Bad(Malformed::DeepComment)),
         PieceKind::Text => {}

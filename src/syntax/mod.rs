@@ -19,6 +19,7 @@
 //! skipping and leaving loops jumps ([`Source::branch_end`]).
 
 mod directive;
+mod dump;
 pub mod formula;
 mod keyword;
 mod lexer;
@@ -29,6 +30,7 @@ mod token;
 pub mod vectors;
 
 pub use directive::Directive;
+pub use dump::{dump_tokens, dump_tree};
 pub use keyword::Keyword;
 pub use names::{Names, Symbol};
 pub use source::{Piece, Position, Source};

@@ -34,6 +34,8 @@ pub(super) struct Piece {
 pub(super) enum PieceKind {
     /// Anything.
     Text,
+    /// Nothing but blanks.
+    Blank,
     /// Literal vectors with commas between them, and nothing else.
     Vectors,
     /// A comment that nests too deeply for the parser.
@@ -46,6 +48,10 @@ pub(super) fn next_piece(text: &[u8], start: usize) -> Option<Piece> {
         return None;
     }
     let piece = |end, kind| Some(Piece { start, end, kind });
+    let blanks = text[start..].iter().take_while(|b| matches!(b, b' ' | b'\n' | b'\t' | b'\r')).count();
+    if blanks >= PIECE {
+        return piece(start + blanks, PieceKind::Blank);
+    }
     let mut at = start;
     // A hash mark must stay with the word behind it.
     let mut after_hash = false;

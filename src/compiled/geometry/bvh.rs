@@ -103,6 +103,11 @@ impl Bvh {
         (Self { nodes }, items.iter().map(|i| i.index).collect())
     }
 
+    /// Its nodes, leaves not counted.
+    pub(super) fn n_nodes(&self) -> usize {
+        self.nodes.len()
+    }
+
     /// Goes through leaves that the ray may meet, near ones first. `visit` gets a run of items,
     /// may lower `t_max`, and may end the walk.
     #[inline]

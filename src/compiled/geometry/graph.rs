@@ -30,6 +30,7 @@ impl Skips {
             RayKind::Camera | RayKind::Refracted => Self::IMAGE,
             RayKind::Reflected => Self::REFLECTION,
             RayKind::Shadow => Self::SHADOW,
+            RayKind::Probe => 0,
         };
         self.0 & mask != 0
     }

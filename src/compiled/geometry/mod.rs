@@ -93,6 +93,20 @@ impl Geometry {
         items.any(|item| !self.gather_item(item, point, &mut Path::default(), &mut |_, _, _| false))
     }
 
+    /// How much there is of what.
+    pub(super) fn summary(&self) -> Vec<(&'static str, usize)> {
+        let nodes = self.groups.iter().chain([&self.root]).map(|group| group.bvh.n_nodes()).sum();
+        vec![
+            ("objects at the root", self.root.items.len() + self.root.infinite.len()),
+            ("infinite objects", self.root.infinite.len()),
+            ("primitives", self.primitives.len()),
+            ("shared groups", self.groups.len()),
+            ("instances", self.instances.len()),
+            ("solids' nodes", self.nodes.len()),
+            ("hierarchy's nodes", nodes),
+        ]
+    }
+
     /// A box around everything; infinite if anything is.
     pub fn bounds(&self) -> Bounds {
         self.root.bounds

@@ -15,6 +15,8 @@ pub enum RayKind {
     Reflected,
     /// Towards a light: passes `no_shadow` objects by.
     Shadow,
+    /// Sent by the scene itself (`trace`) while it is read: meets everything.
+    Probe,
 }
 
 /// Index into the textures that `compile` collected.

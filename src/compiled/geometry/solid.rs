@@ -120,7 +120,9 @@ impl Geometry {
     /// operations and for some rays (shape facts, section 12.3).
     fn hides(&self, operation: Operation, child: u32, kind: RayKind) -> bool {
         let honoured = match (operation, kind) {
-            (Operation::Intersection, _) | (_, RayKind::Shadow) | (Operation::Union, RayKind::Camera) => false,
+            (Operation::Intersection, _)
+            | (_, RayKind::Shadow | RayKind::Probe)
+            | (Operation::Union, RayKind::Camera) => false,
             (Operation::Union | Operation::Merge, _) => true,
         };
         honoured && self.nodes[child as usize].skips.skips(kind)

@@ -1,6 +1,6 @@
 //! `background`, `sky_sphere`, `fog` and `rainbow`.
 
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{Color, DVec3, Rgb, Transform};
 use crate::scene::{Blend, Fog, Pattern, PatternKind, Pigment, PigmentKind, Rainbow, SkySphere};
@@ -96,7 +96,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 let kind = self.integer()?;
                 if !(1..=2).contains(&kind) {
-                    self.warn(span, format!("there is no fog_type {kind}; type 1 is used"));
+                    self.warn(Topic::Range, span, format!("there is no fog_type {kind}; type 1 is used"));
                 }
                 fog.ground = kind == 2;
                 return Ok(true);

@@ -1,6 +1,6 @@
 //! `camera { … }`: statements, and the frame that they add up to.
 
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{DVec3, Transform};
 use crate::scene::{Camera, CameraKind, FocalBlur, MeshCamera, Normal, Pigment};
@@ -344,7 +344,7 @@ impl Evaluator<'_> {
                 if value > 0.0 && value < 1.0 {
                     camera.confidence = value;
                 } else {
-                    self.warn(span, "confidence must lie between 0 and 1; the default is kept");
+                    self.warn(Topic::Range, span, "confidence must lie between 0 and 1; the default is kept");
                 }
             }
             K::Variance => {
@@ -353,7 +353,7 @@ impl Evaluator<'_> {
                 if (0.0..=1.0).contains(&value) {
                     camera.variance = value;
                 } else {
-                    self.warn(span, "variance must lie between 0 and 1; the default is kept");
+                    self.warn(Topic::Range, span, "variance must lie between 0 and 1; the default is kept");
                 }
             }
             K::FocalPoint => {

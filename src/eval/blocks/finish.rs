@@ -1,6 +1,6 @@
 //! `finish { … }`.
 
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::Rgb;
 use crate::scene::Finish;
@@ -95,7 +95,7 @@ impl Evaluator<'_> {
                 let roughness = self.float()?;
                 finish.specular_exponent = if roughness == 0.0 { 0.0 } else { (1.0 / roughness) as f32 };
                 if roughness == 0.0 {
-                    self.warn(span, "a roughness of 0 gives a highlight of exponent 0");
+                    self.warn(Topic::Range, span, "a roughness of 0 gives a highlight of exponent 0");
                 }
             }
             K::Metallic => {
@@ -122,6 +122,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 let value = Some(self.float()? as f32);
                 self.warn(
+                    Topic::Outdated,
                     span,
                     format!("'{}' belongs into interior; in finish it is kept for old scenes", keyword.word()),
                 );

@@ -1,6 +1,6 @@
 //! Parameters of freeform shapes: height field, blob, patch, prism, lathe, sor, sweep, text.
 
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::{
@@ -167,14 +167,18 @@ impl Evaluator<'_> {
             return self.error(span, "the type of a bicubic_patch is 0 or 1");
         }
         if kind > 1 {
-            self.warn(span, "the type of a bicubic_patch is 0 or 1; 1 is used");
+            self.warn(Topic::Range, span, "the type of a bicubic_patch is 0 or 1; 1 is used");
         }
         Ok(kind)
     }
 
     /// `type [flatness] u v` as bare numbers.
     fn old_patch(&mut self, patch: &mut BicubicPatch, span: Span) -> SourceResult<()> {
-        self.warn(span, "this is an old form of bicubic_patch; write 'type 1 flatness F u_steps U v_steps V'");
+        self.warn(
+            Topic::Outdated,
+            span,
+            "this is an old form of bicubic_patch; write 'type 1 flatness F u_steps U v_steps V'",
+        );
         let kind = self.patch_type()?;
         self.comma()?;
         if kind >= 2 {

@@ -5,6 +5,7 @@
 
 use super::pattern::no_list;
 use crate::diag::{SourceResult, Span};
+use crate::eval::macros::arguments_in_words;
 use crate::eval::{Evaluator, Place, Value};
 use crate::function::{Binary, Function, FunctionBody, Internal, Program, ProgramBuilder, Slot, Unary};
 use crate::math::noise::NoiseGenerator;
@@ -101,7 +102,7 @@ impl Evaluator<'_> {
         let (n_parameters, body) = match keyword {
             K::Pigment => {
                 let pigment = Arc::new(self.pigment_block(Pigment::default())?);
-                (3, FunctionBody::External(self.queries.pigment_function(&pigment)))
+                (3, FunctionBody::External(self.queries.pigment_function(&pigment, &self.scene.settings)))
             }
             K::Pattern => {
                 self.open("pattern")?;
@@ -113,7 +114,7 @@ impl Evaluator<'_> {
                     self.comma()?;
                 }
                 self.close("pattern")?;
-                (3, FunctionBody::External(self.queries.pattern_function(&Arc::new(pattern))))
+                (3, FunctionBody::External(self.queries.pattern_function(&Arc::new(pattern), &self.scene.settings)))
             }
             K::Transform => (3, FunctionBody::Transform(self.transform_block()?)),
             K::Spline => (1, FunctionBody::External(self.spline_block()?)),
@@ -371,7 +372,11 @@ impl Evaluator<'_> {
                 _ => self.error(span, "'select' takes three or four arguments"),
             },
             K::Sum | K::Prod => self.function_fold(body, keyword == K::Prod),
-            _ => self.error(span, format!("'{}' cannot stand in a function", keyword.word())),
+            _ => self.error_with_hint(
+                span,
+                format!("'{}' cannot stand in a function", keyword.word()),
+                "a function calculates with numbers, one component at a time",
+            ),
         }
     }
 
@@ -426,7 +431,7 @@ impl Evaluator<'_> {
         let arguments = self.function_arguments(body)?;
         if arguments.len() != function.n_parameters {
             let (given, needed) = (arguments.len(), function.n_parameters);
-            return self.error(span, format!("this function takes {needed} arguments, {given} are given"));
+            return self.error(span, format!("this function takes {}, not {given}", arguments_in_words(needed)));
         }
         if function.width() == 1 {
             return Ok(body.builder.call(function, arguments, 0));

@@ -1,6 +1,6 @@
 //! Pictures: the file or function behind `image_map` and its kin, and how they lie in space.
 
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
 use crate::scene::{Image, ImageFormat, ImageMapping, ImageSource, MapType, Working};
 use crate::syntax::Keyword as K;
@@ -39,7 +39,7 @@ impl Evaluator<'_> {
             let span = self.span();
             self.vector()?;
             self.comma()?;
-            self.warn(span, "an orientation vector before the file name has no effect");
+            self.warn(Topic::Ignored, span, "an orientation vector before the file name has no effect");
         }
         let source = self.image_file()?;
         let (mut gamma, mut premultiplied) = (None, None);

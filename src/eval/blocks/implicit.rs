@@ -1,6 +1,6 @@
 //! Parameters of shapes given by functions: isosurface, parametric, julia_fractal.
 
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
 use crate::function::Function;
 use crate::math::{DVec3, DVec4};
@@ -64,7 +64,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 let n = self.integer()?;
                 if !(1..=MAX_TRACE).contains(&n) {
-                    self.warn(span, format!("max_trace lies between 1 and {MAX_TRACE}"));
+                    self.warn(Topic::Range, span, format!("max_trace lies between 1 and {MAX_TRACE}"));
                 }
                 surface.max_trace = n.clamp(1, MAX_TRACE) as u32;
             }
@@ -87,7 +87,7 @@ impl Evaluator<'_> {
         if value > 0.0 {
             return Ok(value);
         }
-        self.warn(span, format!("{what} must be above 0; {default} is used"));
+        self.warn(Topic::Range, span, format!("{what} must be above 0; {default} is used"));
         Ok(default)
     }
 

@@ -1,7 +1,7 @@
 //! `interior { … }`, `media { … }` and `density { … }`.
 
 use super::pattern::no_list;
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{Color, Rgb};
 use crate::scene::{Blend, Density, Interior, Media, Pattern, PatternKind};
@@ -190,7 +190,7 @@ impl Evaluator<'_> {
         let span = self.span();
         let mut kind = self.integer()?;
         if !(1..=5).contains(&kind) {
-            self.warn(span, format!("there is no scattering type {kind}; type 1 is used"));
+            self.warn(Topic::Range, span, format!("there is no scattering type {kind}; type 1 is used"));
             kind = 1;
         }
         self.comma()?;

@@ -1,6 +1,6 @@
 //! `light_source { … }` and `light_group { … }`.
 
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
 use crate::math::{DVec3, Transform};
 use crate::scene::{AreaLight, LightKind, LightSource, Object, PhotonFlags, Shape};
@@ -65,7 +65,11 @@ impl Evaluator<'_> {
             }
         } else if draft.circular || draft.orient {
             let span = self.span();
-            self.warn(span, "'circular' and 'orient' have no effect on a light that is not an area light");
+            self.warn(
+                Topic::Ignored,
+                span,
+                "'circular' and 'orient' have no effect on a light that is not an area light",
+            );
         }
         if light.area.is_none() && draft.area_illumination {
             // On its own the word lights both sides of surfaces, which a one-sample area light expresses.

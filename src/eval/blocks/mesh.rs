@@ -1,6 +1,6 @@
 //! `mesh { … }` and `mesh2 { … }`.
 
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{DVec2, DVec3};
 use crate::scene::{Mesh, Shape, Texture};
@@ -118,7 +118,7 @@ impl Evaluator<'_> {
             }
         }
         if zero_normals {
-            self.warn(span, "some normals of this mesh are zero and become <1,0,0>");
+            self.warn(Topic::Geometry, span, "some normals of this mesh are zero and become <1,0,0>");
         }
         let mesh = builder.finish();
         if mesh.faces.is_empty() {
@@ -217,7 +217,7 @@ impl Evaluator<'_> {
             }
         }
         if zero_normals {
-            self.warn(span, "some normals of this mesh are zero and become <1,0,0>");
+            self.warn(Topic::Geometry, span, "some normals of this mesh are zero and become <1,0,0>");
         }
         if mesh.vertices.is_empty() {
             return self.error(span, "a mesh2 needs vertex_vectors before its face_indices");

@@ -26,10 +26,11 @@ mod texture;
 
 pub use camera::CameraStatement;
 pub use defaults::Defaults;
+pub(super) use object::is_object_keyword;
 pub use texture::Material;
 
 use super::{Evaluator, Value};
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::scene::{Blend, MapEntry};
 use crate::syntax::Keyword as K;
 use std::rc::Rc;
@@ -50,7 +51,7 @@ impl Evaluator<'_> {
                 let camera = self.camera_block()?;
                 let version = self.version;
                 if self.defaults.last_camera.replace(camera.clone()).is_some() && version >= 350 {
-                    self.warn(span, "there is more than one camera; the last one is used");
+                    self.warn(Topic::Ignored, span, "there is more than one camera; the last one is used");
                 }
                 self.scene.camera = camera.into_camera(version);
             }
@@ -76,7 +77,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 let sky = self.sky_sphere()?;
                 if self.scene.sky_sphere.replace(sky).is_some() {
-                    self.warn(span, "there is more than one sky_sphere; the last one is used");
+                    self.warn(Topic::Ignored, span, "there is more than one sky_sphere; the last one is used");
                 }
             }
             K::Media => {
@@ -93,7 +94,10 @@ impl Evaluator<'_> {
     /// Puts an object into the scene, with the default texture in force now.
     fn add_to_scene(&mut self, object: Arc<crate::scene::Object>) {
         self.scene.objects.push(object);
-        let texture = self.defaults.texture();
+        let texture = match self.scene.default_textures.last() {
+            Some(last) if self.defaults.is_texture(last) => last.clone(),
+            _ => self.defaults.texture(),
+        };
         self.scene.default_textures.push(texture);
     }
 

@@ -1,6 +1,6 @@
 //! Objects: which keyword makes which shape, and the modifiers that every object takes.
 
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::scene::{CsgOperation, Object, PhotonFlags, PlacedTexture, Shape, Texture, TextureLayer};
 use crate::syntax::{Keyword as K, TokenKind};
@@ -31,6 +31,7 @@ impl Evaluator<'_> {
     fn object_block(&mut self, keyword: K) -> SourceResult<Arc<Object>> {
         let span = self.next()?.span;
         let word = keyword.word();
+        self.count_object(span)?;
         self.open(word)?;
         let mut object = self.object_start(keyword, span)?;
         self.object_modifiers(&mut object)?;
@@ -53,7 +54,12 @@ impl Evaluator<'_> {
                 return Ok(copy_of(&object, name, span));
             }
             if children.len() < 2 && self.version >= 150 {
-                self.warn_once("csg-children", span, "a CSG object should have at least two children");
+                self.warn_once(Topic::Geometry, span, "a CSG object should have at least two children");
+            }
+            let flat = |child: &Arc<Object>| child.shape.is_patch() && !matches!(child.shape, Shape::LightSource(_));
+            if matches!(keyword, K::Intersection | K::Difference) && children.iter().any(flat) {
+                let message = "a part of this has no inside (a mesh without inside_vector, a triangle, a patch)";
+                self.warn_here(Topic::Geometry, span, message);
             }
             return Ok(Object::new(Shape::Csg { operation, children: children.into() }, span));
         }
@@ -197,7 +203,7 @@ impl Evaluator<'_> {
             K::Inverse => {
                 self.next()?;
                 if object.shape.is_patch() {
-                    self.warn(span, "a surface without an inside cannot be inverted");
+                    self.warn(Topic::Geometry, span, "a surface without an inside cannot be inverted");
                 }
                 object.flags.inverse = !object.flags.inverse;
             }
@@ -262,7 +268,18 @@ impl Evaluator<'_> {
             }
             Shaped::Open => matches!(object.shape, Shape::Isosurface(_)),
         };
-        if takes { Ok(()) } else { self.error(span, format!("'{word}' cannot be used with this object")) }
+        if takes {
+            return Ok(());
+        }
+        let message = format!("'{word}' cannot be used with this object");
+        match what {
+            Shaped::Open => self.error_with_hint(
+                span,
+                message,
+                "in a cylinder, cone or prism 'open' stands before pigment and other modifiers",
+            ),
+            _ => self.error(span, message),
+        }
     }
 
     fn other_modifier(&mut self, keyword: K, object: &mut Object) -> SourceResult<bool> {
@@ -306,7 +323,7 @@ impl Evaluator<'_> {
             }
             _ if self.at_color()? => {
                 self.color()?;
-                self.warn(span, "a colour belongs into a pigment; here it has no effect");
+                self.warn(Topic::Ignored, span, "a colour belongs into a pigment; here it has no effect");
             }
             _ => return Ok(false),
         }
@@ -425,7 +442,7 @@ fn csg_operation(keyword: K) -> Option<CsgOperation> {
     })
 }
 
-fn is_object_keyword(keyword: K) -> bool {
+pub(in crate::eval) fn is_object_keyword(keyword: K) -> bool {
     csg_operation(keyword).is_some()
         || matches!(
             keyword,

@@ -1,6 +1,6 @@
 //! Pattern keywords, their parameters and the modifiers that all patterns share.
 
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
 use crate::math::DVec3;
 use crate::scene::{BlackHole, FractalColoring, Pattern, PatternKind, SlopeDirection, Turbulence, Warp, Wave};
@@ -311,7 +311,7 @@ impl Evaluator<'_> {
                 let n = self.integer()?;
                 *exponent = if (2..=33).contains(&n) { n as u32 } else { 2 };
                 if !(2..=33).contains(&n) {
-                    self.warn(span, "a fractal exponent outside 2 to 33 means 2");
+                    self.warn(Topic::Range, span, "a fractal exponent outside 2 to 33 means 2");
                 }
             }
             (

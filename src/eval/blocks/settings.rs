@@ -1,6 +1,6 @@
 //! `global_settings { … }` and the scene-level words that belong to it.
 
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
 use crate::scene::Gamma;
 use crate::syntax::Keyword as K;
@@ -24,7 +24,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 let working = self.gamma_value()?;
                 if self.defaults.gamma_given {
-                    self.warn(span, "assumed_gamma was given before; this one has no effect");
+                    self.warn(Topic::Ignored, span, "assumed_gamma was given before; this one has no effect");
                     return Ok(true);
                 }
                 self.defaults.gamma_given = true;
@@ -43,14 +43,14 @@ impl Evaluator<'_> {
                 self.next()?;
                 let level = self.integer()?;
                 if level > 256 {
-                    self.warn(span, "max_trace_level is limited to 256");
+                    self.warn(Topic::Range, span, "max_trace_level is limited to 256");
                 }
                 self.scene.settings.max_trace_level = level.clamp(1, 256) as u32;
             }
             K::MaxIntersections => {
                 self.next()?;
                 self.float()?;
-                self.warn(span, "max_intersections has no effect");
+                self.warn(Topic::Outdated, span, "max_intersections has no effect");
             }
             K::AdcBailout => {
                 self.next()?;
@@ -60,7 +60,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 let n = self.integer()?;
                 if n < 1 {
-                    self.warn(span, "number_of_waves is at least 1");
+                    self.warn(Topic::Range, span, "number_of_waves is at least 1");
                 }
                 self.scene.settings.number_of_waves = n.clamp(1, 1 << 16) as u32;
             }
@@ -82,7 +82,7 @@ impl Evaluator<'_> {
             K::HfGray16 => {
                 self.next()?;
                 self.optional_bool()?;
-                self.warn(span, "hf_gray_16 has no effect");
+                self.warn(Topic::Ignored, span, "hf_gray_16 has no effect");
             }
             K::Subsurface => {
                 self.next()?;
@@ -91,13 +91,17 @@ impl Evaluator<'_> {
             K::Photons => {
                 self.next()?;
                 self.scene.settings.photons = true;
-                self.warn_once("photons", span, "photons are not supported yet: caustics will be missing");
+                self.warn_here(Topic::Unsupported, span, "photons are not supported yet: caustics will be missing");
                 self.skip_settings("photons")?;
             }
             K::Radiosity => {
                 self.next()?;
                 self.scene.settings.radiosity = true;
-                self.warn_once("radiosity", span, "radiosity is not supported yet: indirect light will be missing");
+                self.warn_here(
+                    Topic::Unsupported,
+                    span,
+                    "radiosity is not supported yet: indirect light will be missing",
+                );
                 self.skip_settings("radiosity")?;
             }
             _ => return Ok(false),

@@ -1,6 +1,6 @@
 //! The fixed parameters of each shape, and what can be asked of shapes while reading.
 
-use crate::diag::{SourceResult, Span};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
 use crate::math::{DVec2, DVec3};
 use crate::scene::{CsgOperation, Object, Shape, SweepSpline};
@@ -96,7 +96,7 @@ impl Evaluator<'_> {
 
     fn warn_degenerate(&mut self, [a, b, c]: [DVec3; 3], span: Span) {
         if (b - a).cross(c - a) == DVec3::ZERO {
-            self.warn(span, "this triangle has no area and is never seen");
+            self.warn(Topic::Geometry, span, "this triangle has no area and is never seen");
         }
     }
 
@@ -160,7 +160,7 @@ impl Evaluator<'_> {
             return self.error(span, "the radii of an ovus must not be negative");
         }
         if top_radius >= 2.0 * bottom_radius {
-            self.warn(span, "the top of this ovus swallows its bottom: it is a sphere");
+            self.warn(Topic::Geometry, span, "the top of this ovus swallows its bottom: it is a sphere");
             return Ok(Shape::Sphere { center: DVec3::Y * bottom_radius, radius: top_radius });
         }
         Ok(Shape::Ovus { bottom_radius, top_radius, sturm: false })
