@@ -25,6 +25,20 @@ impl Defaults {
     pub fn texture(&self) -> Arc<Texture> {
         Arc::new(Texture::Layers(vec![self.layer.clone()]))
     }
+
+    /// Whether a texture is the default one as it stands now, part by part the same.
+    pub(super) fn is_texture(&self, texture: &Texture) -> bool {
+        let Texture::Layers(layers) = texture else { return false };
+        let [layer] = &layers[..] else { return false };
+        let same_normal = match (&layer.normal, &self.layer.normal) {
+            (None, None) => true,
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        };
+        same_normal
+            && Arc::ptr_eq(&layer.pigment, &self.layer.pigment)
+            && Arc::ptr_eq(&layer.finish, &self.layer.finish)
+    }
 }
 
 impl Evaluator<'_> {

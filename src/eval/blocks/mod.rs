@@ -94,7 +94,10 @@ impl Evaluator<'_> {
     /// Puts an object into the scene, with the default texture in force now.
     fn add_to_scene(&mut self, object: Arc<crate::scene::Object>) {
         self.scene.objects.push(object);
-        let texture = self.defaults.texture();
+        let texture = match self.scene.default_textures.last() {
+            Some(last) if self.defaults.is_texture(last) => last.clone(),
+            _ => self.defaults.texture(),
+        };
         self.scene.default_textures.push(texture);
     }
 

@@ -5,7 +5,7 @@
 //! Ray Tracing Deterministic 3-D Fractals, 1989.
 
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
-use crate::math::{Bounds, DVec3, DVec4, Range, Ray, quadratic_roots};
+use crate::math::{Bounds, DVec3, DVec4, Range, Ray, gamma, quadratic_roots};
 use hypercomplex::Pair;
 use smallvec::SmallVec;
 
@@ -273,6 +273,7 @@ impl Primitive for Julia {
         let gradient =
             if self.hypercomplex { self.hypercomplex_gradient(&orbit) } else { self.quaternion_gradient(&orbit) };
         let usable = gradient.is_finite() && gradient != DVec3::ZERO;
-        LocalSurface::plain(p, FINEST, if usable { gradient } else { DVec3::X })
+        // Not the depth of the search: rays start where POV-Ray starts them, and NEAREST does the rest.
+        LocalSurface::plain(p, gamma(32) * self.radius(), if usable { gradient } else { DVec3::X })
     }
 }
