@@ -1,6 +1,6 @@
 //! POV-Ray's three noise generators, its vector noise, and turbulence, to the last bit.
 //!
-//! Generators 1 and 2 are one lattice noise with constants of six digits ([`NOISE_TABLE`]),
+//! Generators 1 and 2 are one lattice noise with constants of six digits (`NOISE_TABLE`),
 //! scaled differently; generator 3 is Perlin's gradient noise. Vector noise is the lattice
 //! noise read at three offsets of the table, whatever the generator.
 //!

@@ -12,7 +12,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 /// Pieces whose tokens are kept; beyond that the oldest are made again when needed.
-const KEPT_PIECES: usize = 128;
+const KEPT_PIECES: usize = 16;
 
 /// A place between two tokens.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]

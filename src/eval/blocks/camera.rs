@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// From this version on, the order of statements in a camera does not matter.
 const VERSION_OF_UNORDERED_CAMERAS: u32 = 350;
 
-/// What a camera block says, before [`finish`](Self::finish) works it into a frame.
+/// What a camera block says, before it is worked into a frame.
 #[derive(Clone, Debug)]
 pub struct CameraStatement {
     kind: CameraKind,
