@@ -58,7 +58,7 @@ fn mesh_faces(object: &Object) -> Result<Vec<MeshFace>, Refusal> {
     let Shape::Mesh(mesh) = &object.shape else {
         return Err("a mesh_camera takes meshes only".into());
     };
-    let place = &object.transform;
+    let place = &object.place.transform();
     let vector = |v: [f32; 3]| DVec3::from(v.map(f64::from));
     let face = |(i, face): (usize, &[u32; 3])| {
         let local = face.map(|v| vector(mesh.vertices[v as usize]));

@@ -11,11 +11,11 @@ pub struct Object {
     /// Geometry in its own space; for CSG, the children.
     pub shape: Shape,
     /// Takes the shape's space to the space of the containing object or the world.
-    pub transform: Transform,
+    pub place: Place,
     /// The texture, if the object has one of its own.
-    pub texture: Option<Box<PlacedTexture>>,
+    pub texture: Option<PlacedTexture>,
     /// What the inside of the surface looks like, if that differs.
-    pub interior_texture: Option<Box<PlacedTexture>>,
+    pub interior_texture: Option<PlacedTexture>,
     /// `interior`, if the object has one of its own.
     pub interior: Option<Arc<Interior>>,
     /// `clipped_by` objects, in the containing space.
@@ -40,13 +40,42 @@ pub struct PlacedTexture {
     /// The texture itself, shared.
     pub texture: Arc<Texture>,
     /// Takes texture space to the space that contains the textured object.
-    pub transform: Transform,
+    pub place: Place,
+}
+
+/// A transform that takes up no room while it leaves everything where it is, as most do.
+#[derive(Clone, Debug, Default)]
+pub struct Place(Option<Box<Transform>>);
+
+impl Place {
+    /// Moves what stands here.
+    pub fn apply(&mut self, transform: &Transform) {
+        match &mut self.0 {
+            Some(place) => **place = place.then(transform),
+            None => self.0 = Some(Box::new(*transform)),
+        }
+    }
+
+    /// Takes what stands here to where it stands.
+    pub fn transform(&self) -> Transform {
+        self.0.as_deref().copied().unwrap_or_default()
+    }
+
+    /// First to this place, then wherever `next` takes it.
+    pub fn then(&self, next: &Transform) -> Transform {
+        self.0.as_deref().map_or(*next, |place| place.then(next))
+    }
+
+    /// Whether nothing was ever moved.
+    pub fn is_identity(&self) -> bool {
+        self.0.is_none()
+    }
 }
 
 impl PlacedTexture {
     /// In place, unmoved.
     pub fn new(texture: Arc<Texture>) -> Self {
-        Self { texture, transform: Transform::IDENTITY }
+        Self { texture, place: Place::default() }
     }
 }
 
@@ -101,7 +130,7 @@ impl Object {
     pub fn new(shape: Shape, span: Span) -> Self {
         Self {
             shape,
-            transform: Transform::IDENTITY,
+            place: Place::default(),
             texture: None,
             interior_texture: None,
             interior: None,
@@ -119,10 +148,10 @@ impl Object {
     ///
     /// Under `uv_mapping` textures stay, as in POV-Ray.
     pub fn apply(&mut self, transform: &Transform) {
-        self.transform = self.transform.then(transform);
+        self.place.apply(transform);
         if !self.flags.uv_mapping {
             for placed in [&mut self.texture, &mut self.interior_texture].into_iter().flatten() {
-                placed.transform = placed.transform.then(transform);
+                placed.place.apply(transform);
             }
         }
         for other in self.clipped_by.iter_mut().chain(&mut self.bounded_by) {

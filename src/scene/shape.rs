@@ -73,10 +73,7 @@ pub enum Shape {
     Triangle {
         vertices: [DVec3; 3],
     },
-    SmoothTriangle {
-        vertices: [DVec3; 3],
-        normals: [DVec3; 3],
-    },
+    SmoothTriangle(Box<SmoothTriangle>),
     Mesh(Arc<Mesh>),
     HeightField(Arc<HeightField>),
     Blob(Arc<Blob>),
@@ -112,6 +109,15 @@ pub enum Shape {
         children: Arc<[Arc<Object>]>,
         global_lights: bool,
     },
+}
+
+/// A triangle whose normals are interpolated.
+#[derive(Clone, Copy, Debug)]
+pub struct SmoothTriangle {
+    /// Corners.
+    pub vertices: [DVec3; 3],
+    /// Normals there, any length.
+    pub normals: [DVec3; 3],
 }
 
 impl Shape {
@@ -198,7 +204,7 @@ pub struct BlobComponent {
     /// Takes the component's space to the blob's.
     pub transform: Transform,
     /// Its own texture.
-    pub texture: Option<Box<PlacedTexture>>,
+    pub texture: Option<PlacedTexture>,
 }
 
 /// A Bézier patch with the tessellation parameters of the scene file.

@@ -362,7 +362,7 @@ impl<'a> Builder<'a> {
 pub(super) fn is_patch(shape: &Shape) -> bool {
     match shape {
         Shape::Triangle { .. }
-        | Shape::SmoothTriangle { .. }
+        | Shape::SmoothTriangle(_)
         | Shape::Polygon { .. }
         | Shape::BicubicPatch(_)
         | Shape::Parametric(_) => true,

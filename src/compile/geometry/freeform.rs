@@ -81,7 +81,7 @@ fn convert_height_field(
 fn convert_blob(builder: &mut Builder<'_>, blob: &scene::Blob, inside: &Context) -> Folded {
     let mut parts = Vec::new();
     for component in &blob.components {
-        let texture = component.texture.as_ref().map(|t| (builder.texture(&t.texture), t.transform.inverse()));
+        let texture = component.texture.as_ref().map(|t| (builder.texture(&t.texture), t.place.transform().inverse()));
         let mut add = |core: Core, place: &Transform| {
             parts.push(BlobPart {
                 core,

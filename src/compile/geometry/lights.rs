@@ -15,7 +15,7 @@ pub(super) fn collect_lights(
     census: &Census,
     out: &mut CompiledGeometry,
 ) {
-    let world_from_shape = object.transform.then(world_from_parent);
+    let world_from_shape = object.place.then(world_from_parent);
     match &object.shape {
         Shape::LightSource(light) => {
             // The light moved along with its object already; what contains it has not moved it.

@@ -85,7 +85,7 @@ impl Builder<'_> {
         let uv_mapping = flags.uv_mapping || (around.uv_mapping && lacks_one);
         let place = &around.group_from_parent;
         let hollow = flags.hollow.or(around.hollow);
-        let own = |builder: &mut Self, placed: &Option<Box<PlacedTexture>>| {
+        let own = |builder: &mut Self, placed: &Option<PlacedTexture>| {
             placed.as_ref().map(|p| builder.placement(p, place, flags.uv_mapping))
         };
         let texture = own(self, &object.texture);
@@ -95,7 +95,7 @@ impl Builder<'_> {
             self.interior(Arc::clone(i), is_hollow)
         });
         Context {
-            group_from_parent: object.transform.then(place),
+            group_from_parent: object.place.then(place),
             inverse: around.inverse != flags.inverse,
             texture: texture.or(around.texture),
             interior_texture: interior_texture.or(around.interior_texture),
@@ -115,7 +115,7 @@ impl Builder<'_> {
     pub(super) fn placement(&mut self, placed: &PlacedTexture, group_from_parent: &Transform, fixed: bool) -> u32 {
         let texture = self.texture(&placed.texture);
         // Under uv mapping textures do not move with anything.
-        let forward = if fixed { placed.transform } else { placed.transform.then(group_from_parent) };
+        let forward = if fixed { placed.place.transform() } else { placed.place.then(group_from_parent) };
         let m = forward.linear();
         let key = [m.x_axis, m.y_axis, m.z_axis, forward.origin()].map(|v| v.to_array().map(f64::to_bits));
         let placements = &mut self.geometry.placements;

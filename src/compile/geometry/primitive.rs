@@ -106,8 +106,8 @@ pub(super) fn fold(shape: &Shape, place: Transform, inverse: &mut bool) -> Optio
             let (triangle, _) = fold_triangle(*vertices, [DVec3::ZERO; 3], &place)?;
             Folded::whole(Compiled::Triangle(Box::new(triangle)))
         }
-        Shape::SmoothTriangle { vertices, normals } => {
-            let (flat, normals) = fold_triangle(*vertices, *normals, &place)?;
+        Shape::SmoothTriangle(smooth) => {
+            let (flat, normals) = fold_triangle(smooth.vertices, smooth.normals, &place)?;
             // POV-Ray shows such a triangle only if all corners see the same side.
             let sides = normals.map(|n| n.dot(flat.normal));
             let agree = sides.iter().all(|s| *s > 0.0) || sides.iter().all(|s| *s < 0.0);

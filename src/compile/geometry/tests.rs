@@ -158,10 +158,10 @@ fn triangles_turn_their_normal_when_moved() {
     check(&t, from, DVec3::Z, Some((v(0.5, 0.5, 0.0), Some(DVec3::Z))));
     let t = moved(t, &Transform::translation(v(0.0, 0.0, 1.0)));
     check(&t, from, DVec3::Z, Some((v(0.5, 0.5, 1.0), Some(DVec3::NEG_Z))));
-    let smooth = object(Shape::SmoothTriangle {
+    let smooth = object(Shape::SmoothTriangle(Box::new(crate::scene::SmoothTriangle {
         vertices: [DVec3::ZERO, 2.0 * DVec3::X, 2.0 * DVec3::Y],
         normals: [DVec3::NEG_ONE.normalize(), v(1.0, 0.0, -1.0).normalize(), v(0.0, 1.0, -1.0).normalize()],
-    });
+    })));
     let normal = v(-0.169_174_539, -0.169_174_539, -0.970_958_264);
     check(&smooth, from, DVec3::Z, Some((v(0.5, 0.5, 0.0), Some(normal))));
 }

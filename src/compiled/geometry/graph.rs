@@ -78,13 +78,14 @@ const LEAF_SIZE: usize = 2;
 
 impl Group {
     /// Builds the hierarchy over items with their bounds.
-    pub(crate) fn new(items: Vec<(Item, Bounds)>) -> Self {
-        let (finite, infinite): (Vec<_>, Vec<_>) = items.into_iter().partition(|(_, b)| b.is_finite());
+    pub(crate) fn new(mut items: Vec<(Item, Bounds)>) -> Self {
+        let infinite: Vec<_> = items.extract_if(.., |(_, b)| !b.is_finite()).map(|(item, _)| item).collect();
+        let finite = items;
         let bounds = finite.iter().fold(Bounds::EMPTY, |sum, (_, b)| sum.union(b));
         let bounds = if infinite.is_empty() { bounds } else { Bounds::INFINITE };
         let (bvh, order) = Bvh::build(finite.par_iter().map(|(_, b)| Box32::from(b)), LEAF_SIZE);
         let items = order.iter().map(|i| finite[*i as usize].0).collect();
-        Self { items, bvh, infinite: infinite.into_iter().map(|(item, _)| item).collect(), bounds }
+        Self { items, bvh, infinite, bounds }
     }
 }
 

@@ -49,9 +49,9 @@ impl Evaluator<'_> {
             match self.keyword()? {
                 Some(K::Texture) => {
                     self.next()?;
-                    match self.texture_block()? {
+                    match &*self.texture_block()? {
                         Texture::Layers(layers) if layers.len() == 1 => {
-                            self.defaults.layer = layers.into_iter().next().unwrap_or_default();
+                            self.defaults.layer = layers[0].clone();
                         }
                         _ => {
                             return self

@@ -84,7 +84,7 @@ impl Evaluator<'_> {
             if let Some(transform) = self.transformation()? {
                 part.transform = part.transform.then(&transform);
                 if let Some(texture) = &mut part.texture {
-                    texture.transform = texture.transform.then(&transform);
+                    texture.place.apply(&transform);
                 }
                 continue;
             }

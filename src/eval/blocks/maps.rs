@@ -133,7 +133,7 @@ impl Evaluator<'_> {
     /// `texture_map`, after the word.
     pub(super) fn texture_map(&mut self, average: bool) -> SourceResult<Blend<Arc<Texture>>> {
         let pick = |v: &Value| if let Value::TextureMap(m) = v { Some(m.to_vec()) } else { None };
-        self.blend_map("texture_map", average, pick, |e| Ok(Arc::new(e.texture_items()?)))
+        self.blend_map("texture_map", average, pick, |e| e.texture_items())
     }
 
     /// `density_map`, after the word; identifiers are not accepted in it, as in POV-Ray.

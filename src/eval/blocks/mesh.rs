@@ -252,7 +252,7 @@ impl Evaluator<'_> {
             if !self.accept(K::Texture)? {
                 return self.expected("a texture");
             }
-            mesh.textures.push(Arc::new(self.texture_block()?));
+            mesh.textures.push(self.texture_block()?);
             self.comma()?;
         }
         self.close("texture_list")

@@ -104,7 +104,7 @@ impl Evaluator<'_> {
     /// The value of a declaration or macro argument that starts with a block keyword.
     pub(in crate::eval) fn declared_block(&mut self, keyword: K) -> SourceResult<Option<Value>> {
         let value = match keyword {
-            K::Texture => Value::Texture(Arc::new(self.layered_textures()?)),
+            K::Texture => Value::Texture(self.layered_textures()?),
             K::Function => {
                 self.next()?;
                 Value::Function(self.function_block()?)

@@ -167,24 +167,24 @@ impl Evaluator<'_> {
 
     pub(super) fn layer_over(
         &mut self,
-        below: Option<Box<PlacedTexture>>,
-        top: Texture,
+        below: Option<PlacedTexture>,
+        top: Arc<Texture>,
         span: Span,
-    ) -> SourceResult<Box<PlacedTexture>> {
+    ) -> SourceResult<PlacedTexture> {
         let texture = match below {
-            Some(below) => self.stack(in_place(*below), top, span)?,
+            Some(below) => self.stack(in_place(below), top, span)?,
             None => top,
         };
-        Ok(Box::new(PlacedTexture::new(Arc::new(texture))))
+        Ok(PlacedTexture::new(texture))
     }
 
     /// `pigment`, `normal` or `finish` of an object: a part of its texture's top layer.
     pub(super) fn change_top_layer(
         &mut self,
-        placed: Option<Box<PlacedTexture>>,
+        placed: Option<PlacedTexture>,
         span: Span,
-    ) -> SourceResult<Box<PlacedTexture>> {
-        let mut layers = match placed.map(|p| in_place(*p)) {
+    ) -> SourceResult<PlacedTexture> {
+        let mut layers = match placed.map(|p| Arc::unwrap_or_clone(in_place(p))) {
             None => vec![self.defaults.layer.clone()],
             Some(Texture::Layers(layers)) => layers,
             Some(Texture::Patterned(_)) => {
@@ -194,7 +194,7 @@ impl Evaluator<'_> {
         let mut top = layers.pop().unwrap_or_else(TextureLayer::default);
         self.layer_item(&mut top)?;
         layers.push(top);
-        Ok(Box::new(PlacedTexture::new(Arc::new(Texture::Layers(layers)))))
+        Ok(PlacedTexture::new(Arc::new(Texture::Layers(layers))))
     }
 
     fn flag_modifier(&mut self, keyword: K, object: &mut Object) -> SourceResult<bool> {
@@ -426,9 +426,11 @@ fn copy_of(object: &Object, name: Arc<str>, span: Span) -> Object {
 }
 
 /// The texture with its placement worked into it.
-fn in_place(placed: PlacedTexture) -> Texture {
-    let mut texture = Arc::unwrap_or_clone(placed.texture);
-    texture.apply(&placed.transform);
+fn in_place(placed: PlacedTexture) -> Arc<Texture> {
+    let mut texture = placed.texture;
+    if !placed.place.is_identity() {
+        Arc::make_mut(&mut texture).apply(&placed.place.transform());
+    }
     texture
 }
 

@@ -3,7 +3,7 @@
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
 use crate::math::{DVec2, DVec3};
-use crate::scene::{CsgOperation, Object, Shape, SweepSpline};
+use crate::scene::{CsgOperation, Object, Shape, SmoothTriangle, SweepSpline};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -66,7 +66,7 @@ impl Evaluator<'_> {
                     }
                 }
                 self.warn_degenerate(vertices, span);
-                Shape::SmoothTriangle { vertices, normals }
+                Shape::SmoothTriangle(Box::new(SmoothTriangle { vertices, normals }))
             }
             K::LightSource => self.light_source()?,
             K::Mesh => self.mesh(span)?,
@@ -272,7 +272,7 @@ impl Shape {
     /// Whether the shape has no inside.
     pub fn is_patch(&self) -> bool {
         match self {
-            Self::Triangle { .. } | Self::SmoothTriangle { .. } | Self::BicubicPatch(_) | Self::Parametric(_) => true,
+            Self::Triangle { .. } | Self::SmoothTriangle(_) | Self::BicubicPatch(_) | Self::Parametric(_) => true,
             Self::Mesh(mesh) => mesh.inside_vector.is_none(),
             Self::LightSource(_) => true,
             Self::Csg { children, .. } => children.iter().any(|child: &Arc<Object>| child.shape.is_patch()),

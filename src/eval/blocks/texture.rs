@@ -10,16 +10,16 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Default)]
 pub struct Material {
     /// The texture, if given.
-    pub texture: Option<Texture>,
+    pub texture: Option<Arc<Texture>>,
     /// The inner texture, if given.
-    pub interior_texture: Option<Texture>,
+    pub interior_texture: Option<Arc<Texture>>,
     /// The interior, if given.
     pub interior: Option<Arc<Interior>>,
 }
 
 impl Evaluator<'_> {
     /// `{ … }` after `texture`.
-    pub(super) fn texture_block(&mut self) -> SourceResult<Texture> {
+    pub(super) fn texture_block(&mut self) -> SourceResult<Arc<Texture>> {
         self.open("texture")?;
         let texture = self.texture_items()?;
         self.close("texture")?;
@@ -27,19 +27,22 @@ impl Evaluator<'_> {
     }
 
     /// The inside of a texture, also of a `texture_map` entry.
-    pub(super) fn texture_items(&mut self) -> SourceResult<Texture> {
+    ///
+    /// A declared texture that nothing is added to stays shared.
+    pub(super) fn texture_items(&mut self) -> SourceResult<Arc<Texture>> {
         let pick = |v: &Value| if let Value::Texture(t) = v { Some(t.clone()) } else { None };
-        if let Some(known) = self.take_declared(pick)? {
-            let mut texture = (*known).clone();
-            self.texture_modifiers(&mut texture)?;
-            return Ok(texture);
+        if let Some(mut known) = self.take_declared(pick)? {
+            if self.peek()?.kind != TokenKind::Punct('}') {
+                self.texture_modifiers(Arc::make_mut(&mut known))?;
+            }
+            return Ok(known);
         }
         if let Some(texture) = self.patterned_texture()? {
-            return Ok(texture);
+            return Ok(Arc::new(texture));
         }
         let mut texture = Texture::Layers(vec![self.defaults.layer.clone()]);
         self.texture_modifiers(&mut texture)?;
-        Ok(texture)
+        Ok(Arc::new(texture))
     }
 
     /// Pigments, normals, finishes and transformations on top of what is there.
@@ -171,7 +174,7 @@ impl Evaluator<'_> {
         let mut read_list = |e: &mut Evaluator, n: usize| {
             e.comma()?;
             while list.len() < n && e.accept(K::Texture)? {
-                list.push(Arc::new(e.texture_block()?));
+                list.push(e.texture_block()?);
                 e.comma()?;
             }
             list.resize_with(n, || e.defaults.texture());
@@ -194,7 +197,7 @@ impl Evaluator<'_> {
         while self.image_option(&mut mapping)? {}
         let mut textures = Vec::new();
         while self.accept(K::Texture)? {
-            textures.push(Arc::new(self.texture_block()?));
+            textures.push(self.texture_block()?);
             self.comma()?;
         }
         if textures.is_empty() {
@@ -220,7 +223,7 @@ impl Evaluator<'_> {
             if !self.accept(K::Texture)? {
                 return self.expected("a texture");
             }
-            textures.push(Arc::new(self.texture_block()?));
+            textures.push(self.texture_block()?);
         }
         self.close("tiles")?;
         // The first texture lies on odd cubes: the other way round than with checker.
@@ -233,7 +236,7 @@ impl Evaluator<'_> {
     /// `texture { … } texture { … } …` of a declaration: all layers.
     ///
     /// A directive behind a layer waits until the declaration is complete.
-    pub(super) fn layered_textures(&mut self) -> SourceResult<Texture> {
+    pub(super) fn layered_textures(&mut self) -> SourceResult<Arc<Texture>> {
         self.next()?;
         let mut texture = self.texture_block()?;
         while self.fill(true)? == TokenKind::Keyword(K::Texture) {
@@ -245,11 +248,16 @@ impl Evaluator<'_> {
     }
 
     /// Lays `top` over `below`; only plain textures can be layered.
-    pub(super) fn stack(&mut self, below: Texture, top: Texture, span: crate::diag::Span) -> SourceResult<Texture> {
-        match (below, top) {
+    pub(super) fn stack(
+        &mut self,
+        below: Arc<Texture>,
+        top: Arc<Texture>,
+        span: crate::diag::Span,
+    ) -> SourceResult<Arc<Texture>> {
+        match (Arc::unwrap_or_clone(below), Arc::unwrap_or_clone(top)) {
             (Texture::Layers(mut layers), Texture::Layers(more)) => {
                 layers.extend(more);
-                Ok(Texture::Layers(layers))
+                Ok(Arc::new(Texture::Layers(layers)))
             }
             (Texture::Patterned(_), _) => self.error(span, "cannot layer a texture over a patterned one"),
             (_, Texture::Patterned(_)) => self.error(span, "cannot layer a patterned texture over another"),
@@ -265,7 +273,7 @@ impl Evaluator<'_> {
             let span = self.span();
             if let Some(transform) = self.transformation()? {
                 for texture in [&mut material.texture, &mut material.interior_texture].into_iter().flatten() {
-                    texture.apply(&transform);
+                    Arc::make_mut(texture).apply(&transform);
                 }
                 if let Some(interior) = &mut material.interior {
                     Arc::make_mut(interior).apply(&transform);
@@ -287,8 +295,8 @@ impl Evaluator<'_> {
                 }
                 Some(K::Pigment | K::Normal | K::Finish) => {
                     let layer = self.defaults.layer.clone();
-                    let texture = material.texture.get_or_insert_with(|| Texture::Layers(vec![layer]));
-                    match texture {
+                    let texture = material.texture.get_or_insert_with(|| Arc::new(Texture::Layers(vec![layer])));
+                    match Arc::make_mut(texture) {
                         Texture::Layers(layers) => {
                             if let Some(top) = layers.last_mut() {
                                 self.layer_item(top)?;
