@@ -17,6 +17,7 @@ mod noise_table;
 mod ray;
 mod roots;
 mod transform;
+mod uv;
 
 pub use bounds::Bounds;
 pub use color::{Color, Rgb, gray};
@@ -26,3 +27,4 @@ pub use mersenne_twister::MersenneTwister;
 pub use ray::{Range, Ray};
 pub use roots::{MAX_DEGREE, Roots, discriminant, quadratic_roots, root_bound, roots_in};
 pub use transform::{SingularMatrix, Transform};
+pub use uv::{Uv, spherical_uv};

@@ -11,6 +11,7 @@
 use crate::math::{Bounds, DVec3, Range, Ray};
 use glam::{BVec4A, Vec3, Vec4};
 use rayon::prelude::*;
+use arrayvec::ArrayVec;
 use smallvec::SmallVec;
 use std::ops::{ControlFlow, Range as Span};
 
@@ -59,6 +60,12 @@ struct Node {
 const LEAF: u32 = 1 << 31;
 const LENGTH_SHIFT: u32 = 27;
 const FIRST_MASK: u32 = (1 << LENGTH_SHIFT) - 1;
+
+/// Children still to be visited, with the distances at which their boxes begin.
+///
+/// A level adds at most three. [`split`] goes by area for 33 levels, then halves; 2^27 items end
+/// after 27 levels more.
+type Waiting = ArrayVec<(u32, f32), { 3 * (33 + 27) + 3 }>;
 
 /// The hierarchy; items are referred to by their position in the order that `build` gives.
 #[derive(Clone, Debug, Default)]
@@ -159,34 +166,64 @@ impl Bvh {
         }
         let probe = Probe::new(ray, range.min);
         let mut t_max = range.max;
-        let mut waiting: SmallVec<[(u32, f32); 64]> = SmallVec::new();
+        let mut end = round_up(t_max);
+        let mut waiting = Waiting::new();
         let mut current = 0u32;
         loop {
-            if current & LEAF != 0 {
+            let next = if current & LEAF != 0 {
                 let first = (current & FIRST_MASK) as usize;
                 let length = ((current & !LEAF) >> LENGTH_SHIFT) as usize;
                 visit(first..first + length, &mut t_max)?;
+                end = round_up(t_max);
+                None
             } else {
-                let node = &self.nodes[current as usize];
-                let (near, hits) = probe.test(node, round_up(t_max));
-                let mut found: SmallVec<[(u32, f32); 4]> = SmallVec::new();
-                for (i, (child, near)) in node.children.iter().zip(near).enumerate() {
-                    if hits & (1 << i) != 0 {
-                        found.push((*child, near));
-                    }
-                }
-                // Farthest first, so that the nearest comes off the stack first.
-                found.sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
-                waiting.extend_from_slice(&found);
-            }
-            // What lies behind the nearest hit so far need not be looked at.
-            current = loop {
-                match waiting.pop() {
-                    Some((child, near)) if f64::from(near) <= t_max => break child,
-                    Some(_) => {}
-                    None => return ControlFlow::Continue(()),
-                }
+                self.nodes[current as usize].nearest(&probe, end, &mut waiting)
             };
+            // What lies behind the nearest hit so far need not be looked at.
+            current = match next {
+                Some(child) => child,
+                None => loop {
+                    match waiting.pop() {
+                        Some((child, near)) if near <= end => break child,
+                        Some(_) => {}
+                        None => return ControlFlow::Continue(()),
+                    }
+                },
+            };
+        }
+    }
+}
+
+impl Node {
+    /// The nearest child that the ray meets; the others are put on `waiting`, the farthest first.
+    #[inline]
+    fn nearest(&self, probe: &Probe, end: f32, waiting: &mut Waiting) -> Option<u32> {
+        let (near, mut hits) = probe.test(self, end);
+        if hits == 0 {
+            return None;
+        }
+        let lowest = |hits: u32| {
+            let i = (hits.trailing_zeros() & 3) as usize;
+            (self.children[i], near[i])
+        };
+        let mut best = lowest(hits);
+        let first = waiting.len();
+        loop {
+            hits &= hits - 1;
+            if hits == 0 {
+                return Some(best.0);
+            }
+            let mut other = lowest(hits);
+            if other.1 < best.1 {
+                std::mem::swap(&mut other, &mut best);
+            }
+            // Insertion sort: there are at most three.
+            waiting.push(other);
+            let mut k = waiting.len() - 1;
+            while k > first && waiting[k - 1].1 < waiting[k].1 {
+                waiting.swap(k - 1, k);
+                k -= 1;
+            }
         }
     }
 }
@@ -225,11 +262,16 @@ struct Probe {
     enter_origin: [Vec4; 3],
     leave_origin: [Vec4; 3],
     inverse: [Vec4; 3],
+    /// The same, a little longer, for exits.
+    leave_inverse: [Vec4; 3],
     t_min: Vec4,
 }
 
 /// Reciprocals stop here, so that a product with a zero distance is zero and not NaN.
 const STEEPEST: f32 = 1e37;
+/// Difference, reciprocal and product round once each, on both sides: 6 units of 2^-24, doubled for
+/// the rounding of this factor itself and of what it is multiplied with.
+const SLACK: f32 = 1.0 + 12.0 * f32::EPSILON / 2.0;
 /// Distances end here; a direction along an axis still tells boxes beside the ray from others.
 const FARTHEST: f32 = 1e30;
 
@@ -238,14 +280,16 @@ impl Probe {
         let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
         let backward: [bool; 3] = std::array::from_fn(|i| d[i] < 0.0);
         let pick = |i: usize, up: bool| Vec4::splat(if up { round_up(o[i]) } else { round_down(o[i]) });
+        let inverse: [Vec4; 3] = std::array::from_fn(|i| {
+            Vec4::splat(((1.0 / d[i]) as f32).abs().min(STEEPEST).copysign(if backward[i] { -1.0 } else { 1.0 }))
+        });
         Self {
             enter: std::array::from_fn(|i| if backward[i] { i + 3 } else { i }),
             leave: std::array::from_fn(|i| if backward[i] { i } else { i + 3 }),
             enter_origin: std::array::from_fn(|i| pick(i, !backward[i])),
             leave_origin: std::array::from_fn(|i| pick(i, backward[i])),
-            inverse: std::array::from_fn(|i| {
-                Vec4::splat(((1.0 / d[i]) as f32).abs().min(STEEPEST).copysign(if backward[i] { -1.0 } else { 1.0 }))
-            }),
+            inverse,
+            leave_inverse: inverse.map(|i| i * SLACK),
             t_min: Vec4::splat(round_down(t_min)),
         }
     }
@@ -253,16 +297,13 @@ impl Probe {
     /// Entry distances, and a bit for each child that is met.
     #[inline]
     fn test(&self, node: &Node, t_max: f32) -> ([f32; 4], u32) {
-        // Difference, reciprocal and product round once each, on both sides: 6 units of 2^-24,
-        // doubled for the rounding of this factor itself.
-        const SLACK: f32 = 1.0 + 12.0 * f32::EPSILON / 2.0;
         let mut near = self.t_min;
         let mut far = Vec4::splat(t_max.min(FARTHEST));
         for axis in 0..3 {
             let enter = (node.planes[self.enter[axis]] - self.enter_origin[axis]) * self.inverse[axis];
-            let leave = (node.planes[self.leave[axis]] - self.leave_origin[axis]) * self.inverse[axis];
+            let leave = (node.planes[self.leave[axis]] - self.leave_origin[axis]) * self.leave_inverse[axis];
             near = near.max(enter);
-            far = far.min(leave * SLACK);
+            far = far.min(leave);
         }
         (near.to_array(), near.cmple(far).bitmask())
     }

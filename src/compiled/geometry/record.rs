@@ -1,6 +1,6 @@
 //! What a ray asks for and what it gets back.
 
-use crate::math::{DVec2, DVec3, Range, Ray, Transform};
+use crate::math::{DVec3, Range, Ray, Transform, Uv};
 use smallvec::SmallVec;
 use std::borrow::Cow;
 
@@ -109,7 +109,7 @@ pub struct Surface<'a> {
     /// Unit world normal for shading: interpolated where the surface is smooth, else the geometric one.
     pub normal: DVec3,
     /// Surface coordinates.
-    pub uv: DVec2,
+    pub uv: Uv,
     /// Whether the ray hits the back: raw `normal` along the direction.
     pub from_inside: bool,
     /// Which textures show, already chosen for this side; empty means black and opaque.

@@ -3,8 +3,8 @@
 use super::Geometry;
 use super::graph::{Look, NodeKind, Operation, Primitive};
 use super::record::{Hit, InteriorKey, ObjectId, Path, Surface, TextureId, TextureRef};
-use super::shape::{Primitive as _, Shape};
-use crate::math::{DVec2, DVec3, Ray, Transform, transformed_point_error};
+use super::shape::{LocalSurface, Primitive as _, Shape};
+use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
 use std::borrow::Cow;
 
@@ -106,7 +106,7 @@ impl Geometry {
         let geometric_normal = geometric.try_normalize().unwrap_or(-ray.direction);
         let normal = shading.and_then(DVec3::try_normalize).unwrap_or(geometric_normal);
         let from_inside = normal.dot(ray.direction) > 0.0;
-        let uv = uv_of(primitive, local.uv, group_point).unwrap_or(DVec2::new(point.x, point.y));
+        let uv = uv_of(primitive, &local, group_point, point);
 
         let inherited = self.looks_of(primitive.look, &hit.path);
         let look = &inherited.look;
@@ -276,13 +276,12 @@ impl Geometry {
     }
 }
 
-/// Own coordinates of a shape, in the space in which they are defined.
-fn uv_of(primitive: &Primitive, own: Option<DVec2>, group_point: DVec3) -> Option<DVec2> {
+/// Own coordinates of a shape, in the space in which they are defined; of others the world's x and y.
+fn uv_of(primitive: &Primitive, local: &LocalSurface, group_point: DVec3, world_point: DVec3) -> Uv {
     match (&primitive.uv_from_group, &primitive.shape) {
-        (Some(uv_from_group), Shape::Sphere(_)) => {
-            Some(super::shape::spherical_uv(uv_from_group.point(group_point).normalize_or(DVec3::X)))
-        }
-        _ => own,
+        (Some(uv_from_group), Shape::Sphere(_)) => Uv::Around(uv_from_group.point(group_point)),
+        (None, Shape::Sphere(sphere)) => Uv::Around(local.point - sphere.center),
+        _ => Uv::At(local.uv.unwrap_or(DVec2::new(world_point.x, world_point.y))),
     }
 }
 

@@ -7,7 +7,7 @@ use super::{
 use crate::compiled::geometry::Geometry;
 use crate::function::Function;
 use crate::math::noise::{NoiseGenerator, Octaves};
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec3, Uv};
 use std::sync::Arc;
 
 /// A value for each point.
@@ -106,7 +106,7 @@ pub enum PatternKind {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Context {
     /// Surface coordinates.
-    pub uv: DVec2,
+    pub uv: Uv,
     /// Unit geometric normal in world space, on the side of the ray.
     pub normal: DVec3,
     /// Unit perturbed normal in world space, where there is one already.
@@ -125,7 +125,7 @@ impl Context {
 
     /// A lookup at (u, v, 0).
     pub fn uv_point(&self) -> DVec3 {
-        self.uv.extend(0.0)
+        self.uv.get().extend(0.0)
     }
 }
 

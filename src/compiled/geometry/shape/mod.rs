@@ -45,12 +45,13 @@ pub(crate) use polynomial::Polynomial;
 pub(crate) use prism::{Outline, Prism};
 pub(crate) use quadric::Quadric;
 pub(crate) use sor::{Sor, SorSegment};
-pub(crate) use sphere::{Sphere, spherical_uv};
+pub(crate) use sphere::Sphere;
 pub(crate) use sphere_sweep::{SphereSweep, SweepSegment};
 pub(crate) use superellipsoid::Superellipsoid;
 pub(crate) use torus::Torus;
 pub(crate) use triangle::{SmoothTriangle, Triangle};
 
+pub(crate) use crate::math::spherical_uv;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
 use smallvec::SmallVec;
 

@@ -1,8 +1,7 @@
 //! Spheres.
 
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
-use std::f64::consts::{PI, TAU};
+use crate::math::{Bounds, DVec3, Range, Ray, gamma};
 
 /// A sphere; a negative radius turns the normal inward.
 #[derive(Clone, Copy, Debug)]
@@ -65,13 +64,7 @@ impl Primitive for Sphere {
         let point = self.center + outward * radius;
         let error = gamma(8) * (self.center.abs().max_element() + radius);
         let normal = outward * self.radius.signum();
-        LocalSurface { uv: Some(spherical_uv(outward)), ..LocalSurface::plain(point, error, normal) }
+        // Its coordinates are a matter of the point alone, and left for when they are wanted.
+        LocalSurface::plain(point, error, normal)
     }
-}
-
-/// Longitude from +x towards +z and latitude from -y to +y of a unit vector, each over 0 ..= 1.
-pub(crate) fn spherical_uv(n: DVec3) -> DVec2 {
-    // POV-Ray's threshold for a pole.
-    let u = if n.x * n.x + n.z * n.z <= 1e-10 { 0.0 } else { n.z.atan2(n.x).rem_euclid(TAU) / TAU };
-    DVec2::new(u, 0.5 + n.y.clamp(-1.0, 1.0).asin() / PI)
 }
