@@ -141,7 +141,7 @@ impl Evaluator<'_> {
     }
 
     /// Takes that character, or says what it was wanted for.
-    pub fn expect_punct(&mut self, c: char, what: &str) -> SourceResult<()> {
+    pub fn expect_punct(&mut self, c: char, what: impl std::fmt::Display) -> SourceResult<()> {
         if self.accept_punct(c)? { Ok(()) } else { self.expected(&format!("'{c}' {what}")) }
     }
 
@@ -152,13 +152,13 @@ impl Evaluator<'_> {
 
     /// Takes the `{` of a block; every one must be followed by a [`close`](Self::close).
     pub fn open(&mut self, what: &str) -> SourceResult<()> {
-        self.expect_punct('{', &format!("to open {what}"))?;
+        self.expect_punct('{', format_args!("to open {what}"))?;
         self.deeper()
     }
 
     /// Takes the `}` of a block.
     pub fn close(&mut self, what: &str) -> SourceResult<()> {
-        self.expect_punct('}', &format!("to close {what}"))?;
+        self.expect_punct('}', format_args!("to close {what}"))?;
         self.nesting = self.nesting.saturating_sub(1);
         Ok(())
     }

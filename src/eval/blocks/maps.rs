@@ -39,7 +39,7 @@ impl Evaluator<'_> {
             let value = if weightless { 1.0 } else { self.float()? as f32 };
             self.comma()?;
             item(self, value, &mut entries)?;
-            self.expect_punct(']', &format!("to end an entry of the {what}"))?;
+            self.expect_punct(']', format_args!("to end an entry of the {what}"))?;
             self.comma()?;
         }
         let span = self.span();

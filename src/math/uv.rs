@@ -1,0 +1,36 @@
+//! Surface coordinates.
+
+use super::{DVec2, DVec3};
+use std::f64::consts::{PI, TAU};
+
+/// Surface coordinates, worked out when somebody asks for them: few textures do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Uv {
+    /// Known.
+    At(DVec2),
+    /// Longitude and latitude of a direction seen from the middle of a sphere, any length.
+    Around(DVec3),
+}
+
+impl Default for Uv {
+    fn default() -> Self {
+        Self::At(DVec2::ZERO)
+    }
+}
+
+impl Uv {
+    /// The coordinates.
+    pub fn get(self) -> DVec2 {
+        match self {
+            Self::At(uv) => uv,
+            Self::Around(direction) => spherical_uv(direction.normalize_or(DVec3::X)),
+        }
+    }
+}
+
+/// Longitude from +x towards +z and latitude from -y to +y of a unit vector, each over 0 ..= 1.
+pub fn spherical_uv(n: DVec3) -> DVec2 {
+    // POV-Ray's threshold for a pole.
+    let u = if n.x * n.x + n.z * n.z <= 1e-10 { 0.0 } else { n.z.atan2(n.x).rem_euclid(TAU) / TAU };
+    DVec2::new(u, 0.5 + n.y.clamp(-1.0, 1.0).asin() / PI)
+}
