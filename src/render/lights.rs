@@ -44,6 +44,7 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for index in world.lights_for(place.surface.light_group) {
             let light = &world.lights[index];
+            self.light = index;
             let entry = &mut place.lights.entries[index];
             let arrival = *entry.arrival.get_or_insert_with(|| light.arrival(place.surface.point, light.location));
             let known = entry.shadowed;

@@ -60,7 +60,7 @@ impl Tracer<'_> {
         let mut range = Range { max: reach * (1.0 - LIGHT_MARGIN), ..range };
         self.statistics.shadow_rays += 1;
         if self.all_opaque {
-            let blocked = geometry.occluded(&ray, range, &mut self.scratch);
+            let blocked = geometry.occluded(&ray, range, self.light, &mut self.scratch);
             return if blocked { Rgb::ZERO } else { color };
         }
         let mut interiors = None;

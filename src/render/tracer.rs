@@ -23,6 +23,8 @@ pub(super) struct Tracer<'w> {
     pub(super) world: &'w World,
     pub(super) options: &'w Options,
     pub(super) scratch: Scratch,
+    /// Number of the light that shadow rays go to.
+    pub(super) light: usize,
     pub(super) random: Random,
     pub(super) statistics: Statistics,
     /// Whether shadow rays need no more than a yes or no.
@@ -39,6 +41,7 @@ impl<'w> Tracer<'w> {
             world,
             options,
             scratch: Scratch::default(),
+            light: 0,
             random: Random::default(),
             statistics: Statistics::default(),
             all_opaque: world.all_opaque(),

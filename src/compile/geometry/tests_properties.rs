@@ -57,7 +57,7 @@ fn check(name: &str, shape: &Object, convex: bool, allowed: u32) {
             let target = place.origin() + random.direction() * size * random.unit();
             let ray = Ray::new(origin, (target - origin).normalize());
             let hit = geometry.intersect(&ray, Range::FORWARD, RayKind::Refracted, &mut scratch);
-            disagree += u32::from(hit.is_some() != geometry.occluded(&ray, Range::FORWARD, &mut scratch));
+            disagree += u32::from(hit.is_some() != geometry.occluded(&ray, Range::FORWARD, 0, &mut scratch));
             let Some(hit) = hit else { continue };
             hits += 1;
             let surface = geometry.surface(&ray, &hit);

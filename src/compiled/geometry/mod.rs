@@ -61,16 +61,30 @@ pub struct Geometry {
 impl Geometry {
     /// The nearest hit strictly inside `range`; an empty range gives `None`.
     pub fn intersect(&self, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch) -> Option<Hit> {
-        self.walk(ray, range, kind, scratch, false)
+        self.walk(ray, range, kind, scratch)
     }
 
-    /// Whether a shadow ray meets anything inside `range`. For scenes in which nothing transmits light.
-    pub fn occluded(&self, ray: &Ray, range: Range, scratch: &mut Scratch) -> bool {
-        self.walk(ray, range, RayKind::Shadow, scratch, true).is_some()
+    /// Whether a ray towards light number `light` meets anything inside `range`. For scenes in
+    /// which nothing transmits light.
+    pub fn occluded(&self, ray: &Ray, range: Range, light: usize, scratch: &mut Scratch) -> bool {
+        if scratch.blockers.len() <= light {
+            scratch.blockers.resize(light + 1, None);
+        }
+        let last = scratch.blockers[light];
+        let mut walk = Walk::new(self, range, RayKind::Shadow, scratch, true);
+        if last.is_some_and(|item| walk.item(&item, ray).is_break()) {
+            return true;
+        }
+        let blocked = walk.group(&self.root, ray).is_break();
+        if blocked {
+            let blocker = walk.blocker;
+            scratch.blockers[light] = blocker;
+        }
+        blocked
     }
 
-    fn walk(&self, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch, any: bool) -> Option<Hit> {
-        let mut walk = Walk { geometry: self, kind, scratch, range, best: None, path: Path::default(), any };
+    fn walk(&self, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch) -> Option<Hit> {
+        let mut walk = Walk::new(self, range, kind, scratch, false);
         // Breaking off only says that the first hit was enough.
         let _: std::ops::ControlFlow<()> = walk.group(&self.root, ray);
         walk.best

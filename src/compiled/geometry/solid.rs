@@ -6,7 +6,7 @@
 //! sorting intervals, as POV-Ray does (shape facts, section 10.2).
 
 use super::Geometry;
-use super::graph::{Node, NodeKind, Operation};
+use super::graph::{Item, Node, NodeKind, Operation};
 use super::record::RayKind;
 use super::shape::{Primitive as _, ShapeHits};
 use crate::math::{Bounds, DVec3, Range, Ray, gamma};
@@ -24,6 +24,9 @@ pub(crate) struct Crossing {
 pub struct Scratch {
     crossings: Vec<Crossing>,
     hits: ShapeHits,
+    /// For each light, what last stood in its way: neighbouring points often share it. Finding it
+    /// again first saves the way through the hierarchy and changes no answer.
+    pub(super) blockers: Vec<Option<Item>>,
 }
 
 /// Whether a ray may meet a box within a range; errs on the side of yes.
@@ -116,7 +119,7 @@ impl Geometry {
             Some(place) => primitive.shape.crossings(&place.inverse_ray(ray), range, &mut scratch.hits),
             None => primitive.shape.crossings(ray, range, &mut scratch.hits),
         }
-        let Scratch { crossings, hits } = scratch;
+        let Scratch { crossings, hits, .. } = scratch;
         crossings.extend(hits.iter().map(|h| Crossing { t: h.t, primitive: index, part: h.part }));
     }
 

@@ -20,9 +20,21 @@ pub(super) struct Walk<'a> {
     pub(super) path: Path,
     /// Any hit ends the search.
     pub(super) any: bool,
+    /// The item of the outermost group that ended it.
+    pub(super) blocker: Option<Item>,
 }
 
-impl Walk<'_> {
+impl<'a> Walk<'a> {
+    pub(super) fn new(
+        geometry: &'a Geometry,
+        range: Range,
+        kind: RayKind,
+        scratch: &'a mut Scratch,
+        any: bool,
+    ) -> Self {
+        Self { geometry, kind, scratch, range, best: None, path: Path::default(), any, blocker: None }
+    }
+
     /// Goes through a group; `ray` is in the group's space. Breaks when any hit will do and there is one.
     pub(super) fn group(&mut self, group: &Group, ray: &Ray) -> ControlFlow<()> {
         for item in &group.infinite {
@@ -30,7 +42,10 @@ impl Walk<'_> {
         }
         group.bvh.walk(ray, self.range, |items, t_max| {
             for item in &group.items[items] {
-                self.item(item, ray)?;
+                if self.item(item, ray).is_break() {
+                    self.blocker = Some(*item);
+                    return ControlFlow::Break(());
+                }
             }
             *t_max = self.range.max;
             ControlFlow::Continue(())
@@ -38,7 +53,7 @@ impl Walk<'_> {
     }
 
     #[inline]
-    fn item(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
+    pub(super) fn item(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
         if item.skips.skips(self.kind) {
             return ControlFlow::Continue(());
         }
