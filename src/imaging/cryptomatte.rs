@@ -106,11 +106,10 @@ mod tests {
     fn pixels_hold_names_and_shares() {
         let pixels = [vec![(4, 0.75), (9, 0.25)], vec![]];
         let layers = cryptomatte("CryptoObject", &pixels, |index| format!("thing \"{index}\""));
-        assert_eq!(layers.iter().map(|l| l.name.as_str()).collect::<Vec<_>>(), [
-            "CryptoObject00",
-            "CryptoObject01",
-            "CryptoObject02"
-        ]);
+        assert_eq!(
+            layers.iter().map(|l| l.name.as_str()).collect::<Vec<_>>(),
+            ["CryptoObject00", "CryptoObject01", "CryptoObject02"]
+        );
         let first: Vec<f32> = layers[0].channels.iter().map(|(_, values)| values[0]).collect();
         assert_eq!((first[1], first[3]), (0.75, 0.25));
         assert_eq!(first[0].to_bits(), id("thing \"4\""));

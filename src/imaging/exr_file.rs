@@ -59,8 +59,8 @@ pub(super) fn encode_exr(
 }
 
 fn attributes(picture: &Picture, metadata: &Metadata) -> LayerAttributes {
-    let mut attributes = LayerAttributes::default();
-    attributes.layer_position = Vec2(picture.origin[0], picture.origin[1]);
+    let layer_position = Vec2(picture.origin[0], picture.origin[1]);
+    let mut attributes = LayerAttributes { layer_position, ..LayerAttributes::default() };
     for (name, value) in picture.layers.iter().flat_map(|layer| &layer.attributes) {
         attributes.other.insert(Text::from(name.as_str()), AttributeValue::Text(Text::from(value.as_str())));
     }
@@ -102,7 +102,8 @@ fn decode_exr(path: &Path, bytes: &[u8]) -> Result<Picture, ImageError> {
     let Vec2(width, height) = image.layer_data.size;
     let mut picture = Picture::filled(width, height, [0.0, 0.0, 0.0, 1.0]);
     let (window, position) = (image.attributes.display_window, image.layer_data.attributes.layer_position);
-    picture.origin = [position.x().saturating_sub(window.position.x()), position.y().saturating_sub(window.position.y())];
+    picture.origin =
+        [position.x().saturating_sub(window.position.x()), position.y().saturating_sub(window.position.y())];
     picture.full = [window.size.width(), window.size.height()];
     let mut has_color = false;
     for channel in image.layer_data.channel_data.list {
@@ -133,7 +134,9 @@ fn decode_exr(path: &Path, bytes: &[u8]) -> Result<Picture, ImageError> {
 fn add_channel(layers: &mut Vec<Layer>, layer: &str, suffix: &str, values: Vec<f32>) {
     match layers.iter_mut().find(|l| l.name == layer) {
         Some(found) => found.channels.push((suffix.into(), values)),
-        None => layers.push(Layer { name: layer.into(), channels: vec![(suffix.into(), values)], attributes: Vec::new() }),
+        None => {
+            layers.push(Layer { name: layer.into(), channels: vec![(suffix.into(), values)], attributes: Vec::new() })
+        }
     }
 }
 

@@ -96,7 +96,8 @@ impl Antialias {
                 let at = j * stride + i;
                 pixels[at] = tracer.camera_ray(x, y);
                 let neighbours = [(at - 1, x - 1.0, y), (at - stride, x, y - 1.0)];
-                let differs = neighbours.map(|(other, ..)| self.differ(tracer, &pixels[at].light(), &pixels[other].light()));
+                let differs =
+                    neighbours.map(|(other, ..)| self.differ(tracer, &pixels[at].light(), &pixels[other].light()));
                 for ((other, x, y), _) in neighbours.into_iter().zip(differs).filter(|(_, d)| *d) {
                     self.refine(tracer, &mut pixels[other], &mut refined[other], x, y);
                 }
@@ -161,7 +162,9 @@ impl Antialias {
         known: &mut FxHashMap<[u32; 2], G>,
     ) -> G {
         let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
-        if square.level == 0 || !pairs.iter().any(|(a, b)| self.differ(tracer, &corners[*a].light(), &corners[*b].light())) {
+        if square.level == 0
+            || !pairs.iter().any(|(a, b)| self.differ(tracer, &corners[*a].light(), &corners[*b].light()))
+        {
             let mut mean = G::default();
             corners.iter().for_each(|c| mean.add_scaled(c, 0.25));
             return mean;

@@ -123,10 +123,8 @@ fn render_block<G: Gather>(tracer: &mut Tracer<'_>, options: &Options, block: &B
     // Pixels above and to the left decide whether one is refined, and so do its neighbours on the right and below.
     let (x, y) = (block.x / BLOCK * BLOCK, block.y / BLOCK * BLOCK);
     let end = |from: usize, to: usize, size: usize| (to + 1).min(from + BLOCK).min(size);
-    let (right, bottom) = (
-        end(x, block.x + block.width, options.width),
-        end(y, block.y + block.height, options.height),
-    );
+    let (right, bottom) =
+        (end(x, block.x + block.width, options.width), end(y, block.y + block.height, options.height));
     let around = Block { x, y, width: right - x, height: bottom - y };
     let pixels = antialias.block(tracer, &around);
     let inside = |i: &usize| {

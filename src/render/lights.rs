@@ -113,26 +113,15 @@ impl Tracer<'_> {
             answer += diffuse * skin.rgb;
         }
         if beam.highlights {
-            let at = Incidence {
-                view: place.direction(),
-                light: beam.direction,
-                normal: skin.normal,
-                cosine: beam.cosine,
-            };
+            let at =
+                Incidence { view: place.direction(), light: beam.direction, normal: skin.normal, cosine: beam.cosine };
             answer += finish::highlights(finish, &at, skin.rgb);
         }
         answer * beam.rgb
     }
 
     /// Each sample of an area light shades by itself; all share one shadow, as in POV-Ray.
-    fn area_answer(
-        &mut self,
-        skin: &Skin<'_>,
-        place: &Place<'_, '_>,
-        light: &Light,
-        area: &Area,
-        shadow: Rgb,
-    ) -> Rgb {
+    fn area_answer(&mut self, skin: &Skin<'_>, place: &Place<'_, '_>, light: &Light, area: &Area, shadow: Rgb) -> Rgb {
         let point = place.surface.point;
         let axes = area.axes((light.location - point).normalize_or(DVec3::Z));
         let mut sum = Rgb::ZERO;

@@ -85,8 +85,7 @@ impl<'w> Tracer<'w> {
         };
         let range = Range { min: CAMERA_NEAR, max: far };
         let kind = RayKind::Camera;
-        let mut found: G =
-            self.trace(&Path { ray, range, kind, level: 1, weight: 1.0, interiors, wavelength: None });
+        let mut found: G = self.trace(&Path { ray, range, kind, level: 1, weight: 1.0, interiors, wavelength: None });
         found.note_sample();
         found
     }

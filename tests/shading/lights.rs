@@ -75,9 +75,7 @@ fn area_light_illumination() {
 
 #[test]
 fn samples_behind_the_surface_give_no_light() {
-    let grid = |n: u32, m: u32| {
-        format!("<.01,0,-1.03> rgb .8 area_light <0,0,4>,<0,2,0>,{n},{m} area_illumination")
-    };
+    let grid = |n: u32, m: u32| format!("<.01,0,-1.03> rgb .8 area_light <0,0,4>,<0,2,0>,{n},{m} area_illumination");
     lit("<0,0,-1> rgb .8 area_light <0,0,3>,<0,2,0>,2,1 area_illumination", 0.4);
     lit("<0,0,-1> rgb .8 area_light <0,0,3>,<0,2,0>,6,3 area_illumination", 0.513695);
     lit(&grid(5, 1), 0.631785);
