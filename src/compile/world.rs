@@ -23,7 +23,7 @@ const TINY: f64 = 1e-10;
 /// # Errors
 /// Everything that is unsupported or wrong, each with its place where one is known.
 pub fn compile(scene: &Scene) -> SourceResult<(World, Vec<Diagnostic>)> {
-    let CompiledGeometry { geometry, textures, interiors, lights, light_groups, mut warnings, .. } =
+    let CompiledGeometry { geometry, textures, interiors, lights, light_groups, labels, mut warnings } =
         super::geometry::compile(scene)?;
     let mut errors = Vec::new();
     let mut compiler = TextureCompiler::new(&scene.settings);
@@ -49,6 +49,7 @@ pub fn compile(scene: &Scene) -> SourceResult<(World, Vec<Diagnostic>)> {
         camera,
         atmosphere,
         settings: settings(&scene.settings),
+        labels,
     };
     Ok((world, warnings))
 }
