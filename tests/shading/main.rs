@@ -33,8 +33,8 @@ fn pixel(scene: &str, options: &Options) -> [f32; 4] {
     let read = eval::evaluate("a.pov".as_ref(), &eval::Options::default(), &host, &Queries::default());
     let read = read.unwrap_or_else(|f| panic!("{scene}\n{}", messages(&f.diagnostics, &f.sources)));
     let compiled = compile::compile(&read.scene);
-    let (world, _) = compiled.unwrap_or_else(|e| panic!("{scene}\n{}", messages(&e, &read.sources)));
-    render::render(&world, options, &|_| {}).picture.pixel(0, 0)
+    let compiled = compiled.unwrap_or_else(|e| panic!("{scene}\n{}", messages(&e, &read.sources)));
+    render::render(&compiled.world, options, &|_| {}).picture.pixel(0, 0)
 }
 
 fn messages(diagnostics: &[whitted::diag::Diagnostic], sources: &whitted::diag::SourceMap) -> String {

@@ -39,6 +39,8 @@ pub(super) struct Builder<'a> {
     pub(super) interiors: Vec<Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
     pub(super) height_grids: FxHashMap<*const crate::scene::HeightField, Arc<crate::compiled::geometry::HeightGrid>>,
+    /// By the object as it was first declared.
+    pub(super) watched: FxHashMap<*const crate::scene::Isosurface, super::watch::Watched>,
     pub(super) errors: Vec<Diagnostic>,
     pub(super) objects: Vec<ObjectInfo>,
     default_interior: Arc<Interior>,
@@ -60,6 +62,7 @@ impl<'a> Builder<'a> {
             interiors: Vec::new(),
             meshes: FxHashMap::default(),
             height_grids: FxHashMap::default(),
+            watched: FxHashMap::default(),
             errors: Vec::new(),
             objects: Vec::new(),
             default_interior: Arc::default(),
