@@ -48,6 +48,7 @@ impl Enclosure {
     }
 
     /// Through a function with these values, whose derivative is `factor`.
+    #[inline]
     fn through(self, value: Interval, factor: impl FnOnce() -> Interval) -> Self {
         if self.slope == Interval::ZERO {
             Self { value, slope: Interval::ZERO }
@@ -179,6 +180,7 @@ fn hyperbolic_cosine(v: Interval) -> Interval {
 
 impl Neg for Enclosure {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self { value: -self.value, slope: -self.slope }
     }
@@ -186,6 +188,7 @@ impl Neg for Enclosure {
 
 impl Add for Enclosure {
     type Output = Self;
+    #[inline]
     fn add(self, o: Self) -> Self {
         Self { value: self.value + o.value, slope: self.slope + o.slope }
     }
@@ -193,6 +196,7 @@ impl Add for Enclosure {
 
 impl Sub for Enclosure {
     type Output = Self;
+    #[inline]
     fn sub(self, o: Self) -> Self {
         Self { value: self.value - o.value, slope: self.slope - o.slope }
     }
@@ -200,6 +204,7 @@ impl Sub for Enclosure {
 
 impl Mul for Enclosure {
     type Output = Self;
+    #[inline]
     fn mul(self, o: Self) -> Self {
         let part = |factor: Interval, slope: Interval| if slope == Interval::ZERO { slope } else { factor * slope };
         Self { value: self.value * o.value, slope: part(o.value, self.slope) + part(self.value, o.slope) }
@@ -219,6 +224,7 @@ impl Div for Enclosure {
 
 impl Add<f64> for Enclosure {
     type Output = Self;
+    #[inline]
     fn add(self, o: f64) -> Self {
         Self { value: self.value + Interval::point(o), ..self }
     }
@@ -226,6 +232,7 @@ impl Add<f64> for Enclosure {
 
 impl Sub<f64> for Enclosure {
     type Output = Self;
+    #[inline]
     fn sub(self, o: f64) -> Self {
         Self { value: self.value - Interval::point(o), ..self }
     }
@@ -233,6 +240,7 @@ impl Sub<f64> for Enclosure {
 
 impl Mul<f64> for Enclosure {
     type Output = Self;
+    #[inline]
     fn mul(self, o: f64) -> Self {
         self.through(self.value * Interval::point(o), || Interval::point(o))
     }
@@ -250,12 +258,13 @@ impl Number for Enclosure {
         Self::constant(v)
     }
 
+    #[inline]
     fn squared(self) -> Self {
         self.through(self.value.squared(), || self.value * Interval::point(2.0))
     }
 
     fn cubed(self) -> Self {
-        self.powf(3.0)
+        self.through(self.value.cubed(), || self.value.squared() * Interval::point(3.0))
     }
 
     fn sqrt(self) -> Self {
@@ -346,8 +355,8 @@ impl Number for Enclosure {
 impl Program {
     /// Bounds over arguments within bounds; missing ones are 0.
     pub fn enclose(&self, arguments: &[Enclosure], slots: &mut EnclosureSlots) -> Enclosure {
-        slots.clear();
-        for op in self.ops() {
+        slots.resize(self.ops().len(), Enclosure::WHOLE);
+        for (i, op) in self.ops().iter().enumerate() {
             let at = |slot: &Slot| slots[*slot as usize];
             let enclosed = match op {
                 Op::Constant(c) => Enclosure::constant(*c),
@@ -369,7 +378,7 @@ impl Program {
                     fold(*product, [at(from), at(to)], body, arguments)
                 }
             };
-            slots.push(enclosed);
+            slots[i] = enclosed;
         }
         slots[self.result() as usize]
     }

@@ -32,7 +32,8 @@ impl Watched {
         };
         if !self.believes {
             let hint = "`--isosurface-search povray` leaves them out, too";
-            return self.notes.lost().then(|| {
+            // Rays that graze a surface by less than `accuracy` are lost to POV-Ray whatever the number.
+            return (self.notes.lost() && found > given).then(|| {
                 warning(Topic::Geometry, "POV-Ray loses parts of this isosurface, which are shown here").hint(hint)
             });
         }

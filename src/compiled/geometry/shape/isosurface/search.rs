@@ -56,6 +56,8 @@ struct Stretch {
     bound: f64,
     /// Whether POV-Ray's search comes here.
     believed: bool,
+    /// Before the first and after the second nothing is below zero, as bounds along a longer stretch say.
+    clear: (f64, f64),
 }
 
 impl Stretch {
@@ -73,8 +75,8 @@ impl Stretch {
 enum Course {
     /// Nowhere below zero.
     Above,
-    /// Nowhere rising, and below zero at the end.
-    Falling,
+    /// Nowhere rising, and below zero at the end; with the steepest slope.
+    Falling(f64),
     Unknown,
 }
 
@@ -119,7 +121,8 @@ impl<'a> Search<'a> {
                     self.sign = -1.0;
                 }
             } else {
-                if self.value(start) < self.near_zero(start) {
+                let value = self.value(start);
+                if self.is_near_zero(value, start) {
                     low = 5.0 * accuracy;
                     self.turn_at(low);
                 }
@@ -133,9 +136,12 @@ impl<'a> Search<'a> {
         if far - low < accuracy {
             return;
         }
-        if low < accuracy && self.sign > 0.0 && self.value(low).abs() < self.near_zero(low) {
-            low = 5.0 * accuracy;
-            self.turn_at(low);
+        if low < accuracy && self.sign > 0.0 {
+            let value = self.value(low).abs();
+            if self.is_near_zero(value, low) {
+                low = 5.0 * accuracy;
+                self.turn_at(low);
+            }
         }
         while count < self.surface.max_trace {
             let Some(root) = self.first_root(low, far) else { return };
@@ -148,16 +154,16 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Values below this at `t` may belong to the surface that the ray leaves.
-    fn near_zero(&mut self, t: f64) -> f64 {
+    /// Whether a value at `t` may belong to the surface that the ray leaves.
+    fn is_near_zero(&mut self, value: f64, t: f64) -> bool {
         let accuracy = self.surface.accuracy;
-        let mut slope = self.gradient;
-        if self.surface.guaranteed {
-            // Where `max_gradient` is too low, the true slope of the first steps counts.
-            let met = self.enclose(t, t + 5.0 * accuracy).slope.magnitude() / self.speed;
-            slope = if met.is_finite() { slope.max(met) } else { slope };
+        if value < 4.0 * self.gradient * accuracy {
+            return true;
         }
-        4.0 * slope * accuracy
+        // Where `max_gradient` is too low, the true slope of the first steps counts.
+        let least = value * self.speed / (4.0 * accuracy);
+        let met = |slope: Interval| slope.is_bounded() && slope.magnitude() > least;
+        self.surface.guaranteed && met(self.enclose(t, t + 5.0 * accuracy).slope)
     }
 
     /// Starts inside if the function says so there.
@@ -180,7 +186,7 @@ impl<'a> Search<'a> {
         }
         let bound = self.gradient * self.speed * (high - low);
         let (at_low, at_high) = (at_low * self.sign, at_high * self.sign);
-        self.halve(Stretch { low, high, at_low, at_high, bound, believed: true })
+        self.halve(Stretch { low, high, at_low, at_high, bound, believed: true, clear: (low, high) })
     }
 
     /// Halves until the stretch is as short as `accuracy`; NaN ends POV-Ray's search there.
@@ -194,10 +200,17 @@ impl<'a> Search<'a> {
         }
         s.believed &= s.may_fall();
         if self.pieces_left > 0 {
+            if s.high <= s.clear.0 || s.low >= s.clear.1 {
+                return None;
+            }
             self.pieces_left -= 1;
-            match self.course(&s) {
+            match self.course(&mut s) {
                 Course::Above => return None,
-                Course::Falling => return Some(self.bisect(s)),
+                // What `max_gradient` would lose has to be judged on the way.
+                Course::Falling(slope) if s.believed && -slope <= self.gradient * self.speed => {
+                    return Some(self.leap(s).unwrap_or_else(|| self.bisect(s)));
+                }
+                Course::Falling(_) => return Some(self.bisect(s)),
                 Course::Unknown => {}
             }
         } else if !s.may_fall() {
@@ -247,8 +260,8 @@ impl<'a> Search<'a> {
     }
 
     /// A point below zero between two samples that are not.
-    fn look_between(&mut self, s: Stretch) -> Option<f64> {
-        if self.fine_pieces_left == 0 || !matches!(self.course(&s), Course::Unknown) {
+    fn look_between(&mut self, mut s: Stretch) -> Option<f64> {
+        if self.fine_pieces_left == 0 || !matches!(self.course(&mut s), Course::Unknown) {
             return None;
         }
         self.fine_pieces_left -= 1;
@@ -270,6 +283,29 @@ impl<'a> Search<'a> {
         s.high
     }
 
+    /// As [`bisect`](Self::bisect) with fewer samples: a few false positions foretell the way, and two
+    /// samples prove it right.
+    fn leap(&mut self, s: Stretch) -> Option<f64> {
+        let (mut low, mut high) = ((s.low, s.at_low), (s.high, s.at_high));
+        let meets_zero = |low: (f64, f64), high: (f64, f64)| low.0 + (high.0 - low.0) * (low.1 / (low.1 - high.1));
+        for _ in 0..3 {
+            let t = meets_zero(low, high);
+            if !(low.0 < t && t < high.0) {
+                return None;
+            }
+            let at = self.value(t) * self.sign;
+            if at < 0.0 { high = (t, at) } else { low = (t, at) }
+        }
+        let root = meets_zero(low, high);
+        let (mut first, mut last) = (s.low, s.high);
+        while last - first >= self.surface.accuracy {
+            let middle = 0.5 * (first + last);
+            if middle < root { first = middle } else { last = middle }
+        }
+        let right = self.value(first) * self.sign >= 0.0 && self.value(last) * self.sign < 0.0;
+        right.then_some(last)
+    }
+
     /// Bounds of the unsigned value and its slope between two parameters.
     fn enclose(&mut self, low: f64, high: f64) -> Enclosure {
         let t = Interval { low, high };
@@ -281,7 +317,7 @@ impl<'a> Search<'a> {
     }
 
     /// What is certain between the ends of a stretch.
-    fn course(&mut self, s: &Stretch) -> Course {
+    fn course(&mut self, s: &mut Stretch) -> Course {
         let enclosed = self.enclose(s.low, s.high);
         let value = enclosed.value - Interval::point(self.surface.threshold);
         let (value, slope) = if self.sign < 0.0 { (-value, -enclosed.slope) } else { (value, enclosed.slope) };
@@ -289,7 +325,7 @@ impl<'a> Search<'a> {
             return Course::Above;
         }
         if slope.high <= 0.0 {
-            return if s.at_high < 0.0 { Course::Falling } else { Course::Above };
+            return if s.at_high < 0.0 { Course::Falling(slope.low) } else { Course::Above };
         }
         if slope.low >= 0.0 {
             return if s.at_low < 0.0 { Course::Unknown } else { Course::Above };
@@ -298,6 +334,11 @@ impl<'a> Search<'a> {
         // down to this at least.
         let (fall, rise) = (slope.low, slope.high);
         let lowest = (s.at_low * rise - s.at_high * fall + fall * rise * s.length()) / (rise - fall);
-        if lowest > 0.0 { Course::Above } else { Course::Unknown }
+        if lowest > 0.0 {
+            return Course::Above;
+        }
+        s.clear.0 = s.clear.0.max(s.low - s.at_low / fall);
+        s.clear.1 = s.clear.1.min(s.high - s.at_high / rise);
+        Course::Unknown
     }
 }
