@@ -34,7 +34,7 @@ pub struct Compiled {
 /// # Errors
 /// Everything that is unsupported or wrong, each with its place where one is known.
 pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
-    let CompiledGeometry { geometry, textures, interiors, lights, light_groups, mut warnings, watched, .. } =
+    let CompiledGeometry { geometry, textures, interiors, lights, light_groups, labels, mut warnings, watched } =
         super::geometry::compile(scene)?;
     let mut errors = Vec::new();
     let mut compiler = TextureCompiler::new(&scene.settings);
@@ -60,6 +60,7 @@ pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
         camera,
         atmosphere,
         settings: settings(&scene.settings),
+        labels,
     };
     Ok(Compiled { world, warnings, watched })
 }

@@ -115,6 +115,46 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// The word for this kind of shape.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Sphere { .. } => "sphere",
+            Self::Box { .. } => "box",
+            Self::Cylinder { .. } => "cylinder",
+            Self::Cone { .. } => "cone",
+            Self::Plane { .. } => "plane",
+            Self::Disc { .. } => "disc",
+            Self::Torus { .. } => "torus",
+            Self::Ovus { .. } => "ovus",
+            Self::Quadric { .. } => "quadric",
+            Self::Polynomial { .. } => "poly",
+            Self::Superellipsoid { .. } => "superellipsoid",
+            Self::Polygon { .. } => "polygon",
+            Self::Triangle { .. } => "triangle",
+            Self::SmoothTriangle { .. } => "smooth_triangle",
+            Self::Mesh(_) => "mesh",
+            Self::HeightField(_) => "height_field",
+            Self::Blob(_) => "blob",
+            Self::BicubicPatch(_) => "bicubic_patch",
+            Self::Prism(_) => "prism",
+            Self::Lathe { .. } => "lathe",
+            Self::Sor { .. } => "sor",
+            Self::SphereSweep { .. } => "sphere_sweep",
+            Self::Text(_) => "text",
+            Self::Isosurface(_) => "isosurface",
+            Self::Parametric(_) => "parametric",
+            Self::JuliaFractal(_) => "julia_fractal",
+            Self::Csg { operation, .. } => match operation {
+                CsgOperation::Union => "union",
+                CsgOperation::Intersection => "intersection",
+                CsgOperation::Difference => "difference",
+                CsgOperation::Merge => "merge",
+            },
+            Self::LightSource(_) => "light_source",
+            Self::LightGroup { .. } => "light_group",
+        }
+    }
+
     /// The objects that a group is made of; none for anything else.
     pub fn children(&self) -> &[Arc<Object>] {
         match self {
