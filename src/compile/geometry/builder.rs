@@ -51,15 +51,22 @@ pub(super) struct Builder<'a> {
 type Items = Vec<(Item, Bounds)>;
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(census: &'a Census) -> Self {
+    /// With room for so many simple objects: most scenes of many objects have little else.
+    pub(super) fn new(census: &'a Census, n_objects: usize) -> Self {
+        let geometry = Geometry {
+            primitives: Vec::with_capacity(n_objects),
+            looks: Vec::with_capacity(n_objects),
+            hollow: Vec::with_capacity(n_objects),
+            ..Geometry::default()
+        };
         Self {
             census,
-            geometry: Geometry::default(),
+            geometry,
             textures: Vec::new(),
             texture_ids: FxHashMap::default(),
             layered_ids: FxHashMap::default(),
             placement_ids: FxHashMap::default(),
-            interiors: Vec::new(),
+            interiors: Vec::with_capacity(n_objects),
             meshes: FxHashMap::default(),
             height_grids: FxHashMap::default(),
             watched: FxHashMap::default(),

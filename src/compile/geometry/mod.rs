@@ -103,8 +103,8 @@ fn build(objects: &[(&Arc<Object>, &Arc<Texture>)], split: bool) -> SourceResult
     for (object, _) in objects {
         collect_lights(object, &Transform::IDENTITY, None, &census, &mut out);
     }
-    let mut builder = Builder::new(&census);
-    let mut items = Vec::new();
+    let mut builder = Builder::new(&census, objects.len());
+    let mut items = Vec::with_capacity(objects.len());
     for (object, default) in objects {
         builder.place_root(object, default, split, &mut items);
     }

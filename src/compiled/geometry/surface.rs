@@ -163,6 +163,14 @@ impl Geometry {
         points: (DVec3, DVec3),
     ) -> SmallVec<[TextureRef<'_>; 1]> {
         let look = &inherited.look;
+        let of_parts = matches!(&primitive.shape, Shape::Blob(_) | Shape::Mesh(_));
+        if !of_parts && look.cutaway.is_none() && !(from_inside && look.interior_texture.is_some()) {
+            // By far the most: one texture for the whole object.
+            let placed = look
+                .texture
+                .and_then(|texture| self.placed((texture, 1.0), &hit.path, inherited.texture_depth, look.uv_mapping));
+            return placed.map_or_else(SmallVec::new, |texture| smallvec::smallvec![texture]);
+        }
         let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.parts.iter().any(|p| p.texture.is_some()));
         if from_inside
             && !mixes
