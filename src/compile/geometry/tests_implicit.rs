@@ -179,7 +179,7 @@ fn met(search: IsosurfaceSearch) -> usize {
         // Within 0.69 of the axis, where the shell's radius is 0.7, in a spiral.
         let (radius, angle) = (0.69 * *i as f64 / 1000.0, *i as f64 * 2.4);
         let ray = Ray::new(v(radius * angle.cos(), radius * angle.sin(), -3.0), DVec3::Z);
-        geometry.occluded(&ray, Range::FORWARD, &mut Scratch::default())
+        geometry.occluded(&ray, Range::FORWARD, 0, &mut Scratch::default())
     };
     (0..1000).filter(meets).count()
 }

@@ -190,7 +190,7 @@ impl Evaluator<'_> {
                 self.comma()?;
             }
         }
-        self.expect_punct('>', &format!("after {n} coefficients"))?;
+        self.expect_punct('>', format_args!("after {n} coefficients"))?;
         Ok(Shape::Polynomial { order, coefficients: coefficients.into(), sturm: false })
     }
 
