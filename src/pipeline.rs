@@ -1,6 +1,7 @@
 //! The stages in order, timed: read, compile, render.
 
-use crate::compile::{self, Queries};
+use crate::compile::geometry::Watched;
+use crate::compile::{self, Compiled, Queries};
 use crate::diag::{Diagnostic, SourceMap};
 use crate::eval::{self, Evaluated, Failed, Host};
 use crate::imaging::{Metadata, Picture};
@@ -51,7 +52,7 @@ pub fn render_file(
     let mut timings = Timings::default();
     let Evaluated { scene: description, mut warnings, sources } =
         timings.time("read", || eval::evaluate(scene, reading, host, &Queries::default()))?;
-    let (world, more) = match timings.time("compile", || compile::compile(&description)) {
+    let Compiled { world, warnings: more, watched } = match timings.time("compile", || compile::compile(&description)) {
         Ok(compiled) => compiled,
         Err(errors) => {
             warnings.extend(errors);
@@ -62,6 +63,7 @@ pub fn render_file(
     drop(description);
     let start = Instant::now();
     let rendered = timings.time("render", || render::render(&world, options, progress));
+    warnings.extend(watched.iter().filter_map(Watched::warning));
     let metadata = Metadata {
         software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
         scene: scene.display().to_string(),

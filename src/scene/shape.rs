@@ -326,6 +326,18 @@ pub struct Isosurface {
     pub max_trace: u32,
     /// Not capped by the container.
     pub open: bool,
+    /// How the surface is looked for.
+    pub search: IsosurfaceSearch,
+}
+
+/// What a search for an isosurface may leave out. The caller's choice, not the file's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum IsosurfaceSearch {
+    /// What bounds of the function rule out, as far as they are known.
+    #[default]
+    Guaranteed,
+    /// What `max_gradient` rules out, true or not.
+    PovRay,
 }
 
 /// A surface given by three functions of (u, v).

@@ -37,7 +37,7 @@ fn world(scene: &str) -> World {
     let host = Memory::new([("a.pov", text.as_str())]);
     let read = eval::evaluate("a.pov".as_ref(), &eval::Options::default(), &host, &Queries::default());
     let read = read.expect("the scene is right");
-    compile::compile(&read.scene).expect("the scene is supported").0
+    compile::compile(&read.scene).expect("the scene is supported").world
 }
 
 /// A small picture of a scene.

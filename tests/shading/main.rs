@@ -39,8 +39,8 @@ fn picture(scene: &str, options: &Options) -> Picture {
     let read = eval::evaluate("a.pov".as_ref(), &eval::Options::default(), &host, &Queries::default());
     let read = read.unwrap_or_else(|f| panic!("{scene}\n{}", messages(&f.diagnostics, &f.sources)));
     let compiled = compile::compile(&read.scene);
-    let (world, _) = compiled.unwrap_or_else(|e| panic!("{scene}\n{}", messages(&e, &read.sources)));
-    render::render(&world, options, &|_| {}).picture
+    let compiled = compiled.unwrap_or_else(|e| panic!("{scene}\n{}", messages(&e, &read.sources)));
+    render::render(&compiled.world, options, &|_| {}).picture
 }
 
 fn messages(diagnostics: &[whitted::diag::Diagnostic], sources: &whitted::diag::SourceMap) -> String {

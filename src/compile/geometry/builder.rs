@@ -39,6 +39,8 @@ pub(super) struct Builder<'a> {
     pub(super) interiors: Vec<Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
     pub(super) height_grids: FxHashMap<*const crate::scene::HeightField, Arc<crate::compiled::geometry::HeightGrid>>,
+    /// By the object as it was first declared.
+    pub(super) watched: FxHashMap<*const crate::scene::Isosurface, super::watch::Watched>,
     pub(super) errors: Vec<Diagnostic>,
     pub(super) labeler: Labeler,
     default_interior: Arc<Interior>,
@@ -60,6 +62,7 @@ impl<'a> Builder<'a> {
             interiors: Vec::new(),
             meshes: FxHashMap::default(),
             height_grids: FxHashMap::default(),
+            watched: FxHashMap::default(),
             errors: Vec::new(),
             labeler: Labeler::default(),
             default_interior: Arc::default(),
@@ -384,8 +387,7 @@ pub(super) fn is_patch(shape: &Shape) -> bool {
 /// Around everything outside a finite inverted primitive.
 fn gap(primitive: &Primitive) -> Bounds {
     let hole = inner(primitive);
-    // Below its box, a height field still has an inside.
-    if !primitive.inverse || !hole.is_finite() || matches!(primitive.shape, Compiled::HeightField(_)) {
+    if !primitive.inverse || !hole.is_finite() {
         return Bounds::INFINITE;
     }
     // Inside tests have thresholds of their own; a hundredth is far beyond them and costs little.
@@ -418,7 +420,26 @@ fn inner(primitive: &Primitive) -> Bounds {
         | Compiled::SmoothTriangle(_)
         | Compiled::Polygon(_)
         | Compiled::Parametric(_) => Bounds::INFINITE,
+        // A height field is solid below its box, too.
+        Compiled::HeightField(_) => below(primitive),
         Compiled::Mesh(mesh) if mesh.inside_vector.is_none() => Bounds::INFINITE,
         _ => primitive.bounds(),
     }
+}
+
+/// Around everything at and below a primitive's box along its own y axis; a box only where that axis
+/// stays a coordinate axis.
+fn below(primitive: &Primitive) -> Bounds {
+    let mut b = primitive.bounds();
+    let down = primitive.group_from_local.as_ref().map_or(DVec3::NEG_Y, |place| place.vector(DVec3::NEG_Y));
+    let axis = down.abs().max_position();
+    if down.abs().element_sum() != down[axis].abs() {
+        return Bounds::INFINITE;
+    }
+    if down[axis] < 0.0 {
+        b.min[axis] = f64::NEG_INFINITY;
+    } else {
+        b.max[axis] = f64::INFINITY;
+    }
+    b
 }

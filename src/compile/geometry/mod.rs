@@ -20,6 +20,7 @@ mod tests_implicit;
 #[cfg(test)]
 mod tests_properties;
 mod text;
+mod watch;
 
 use crate::compiled::Labels;
 use crate::compiled::geometry::{Geometry, Group, LightGroupId};
@@ -30,6 +31,8 @@ use builder::Builder;
 use census::Census;
 use lights::collect_lights;
 use std::sync::Arc;
+
+pub use watch::Watched;
 
 /// The geometry, with the lists that its indices refer to.
 #[derive(Debug, Default)]
@@ -46,6 +49,8 @@ pub struct CompiledGeometry {
     pub light_groups: Vec<LightGroup>,
     /// What an `ObjectId` stands for.
     pub labels: Labels,
+    /// Isosurfaces that may have something to say after rendering, in file order.
+    pub watched: Vec<Watched>,
     /// What is left out or unusual.
     pub warnings: Vec<Diagnostic>,
 }
@@ -106,7 +111,9 @@ fn build(objects: &[(&Arc<Object>, &Arc<Texture>)], split: bool) -> SourceResult
     if !builder.errors.is_empty() {
         return Err(builder.errors);
     }
-    let Builder { mut geometry, textures, interiors, labeler, .. } = builder;
+    let Builder { mut geometry, textures, interiors, labeler, watched, .. } = builder;
+    let mut watched: Vec<_> = watched.into_values().collect();
+    watched.sort_by_key(|w| w.span);
     geometry.root = Group::new(items);
-    Ok(CompiledGeometry { geometry, textures, interiors, labels: labeler.finish(), ..out })
+    Ok(CompiledGeometry { geometry, textures, interiors, labels: labeler.finish(), watched, ..out })
 }
