@@ -65,9 +65,8 @@ fn the_last_bumps_stay_for_slopes() {
     let bumped = format!("pigment{{rgb 0}} {bumps} {plain}");
     let sloped = format!("pigment{{slope{{y}} color_map{{[0 rgb 0][1 rgb 1]}}}} {plain}");
     let floor = |textures: &str, expected: f32| check_grey(&format!("{CY} plane{{y,0 {textures}}}"), expected);
-    let map = |low: &str, high: &str| {
-        format!("texture{{gradient x translate -.5*x texture_map{{[0 {low}][1 {high}]}}}}")
-    };
+    let map =
+        |low: &str, high: &str| format!("texture{{gradient x translate -.5*x texture_map{{[0 {low}][1 {high}]}}}}");
     // The upper entry of a map is worked out first.
     floor(&map(&bumped, &sloped), 0.5);
     floor(&map(&sloped, &bumped), 0.478904);
