@@ -30,19 +30,12 @@ impl Tracer<'_> {
         let casts = !light.shadowless && self.options.shadows();
         match &light.area {
             Some(area) if casts && self.options.area_lights() => self.area_shadow(place, light, area, color),
-            _ => self.from_source(place, light, arrival.direction, arrival.distance, color),
+            _ => self.arriving(place, light, arrival.direction, arrival.distance, color),
         }
     }
 
     /// A colour on its way from a light or one of its samples.
-    fn from_source(
-        &mut self,
-        place: &Place<'_, '_>,
-        light: &Light,
-        direction: DVec3,
-        distance: f64,
-        color: Rgb,
-    ) -> Rgb {
+    fn arriving(&mut self, place: &Place<'_, '_>, light: &Light, direction: DVec3, distance: f64, color: Rgb) -> Rgb {
         let mut reach = distance;
         if let Some(window) = &light.projected_through {
             let (ray, range) = place.surface.leave(direction);
@@ -187,7 +180,7 @@ impl AreaShadow<'_, '_, '_> {
         let (a, b) = tracer.jittered(self.area, i, j);
         let source = self.light.location + self.area.offset(a, b, self.axes);
         let (direction, distance) = self.light.toward(self.place.surface.point, source);
-        let found = tracer.from_source(self.place, self.light, direction, distance, self.color);
+        let found = tracer.arriving(self.place, self.light, direction, distance, self.color);
         self.known[at] = Some(found);
         found
     }

@@ -52,7 +52,7 @@ pub(super) fn within(primitive: &Primitive, around: &Bounds, surface_only: bool)
         reach.min[axis] = reach.min[axis].max(found.0);
         reach.max[axis] = reach.max[axis].min(found.1);
     }
-    padded(reach)
+    if reach.is_empty() { Bounds::EMPTY } else { padded(reach) }
 }
 
 /// One coordinate's part of the sum: `square x² + linear x` with `x` from an origin.
