@@ -4,11 +4,14 @@
 //! scaled differently; generator 3 is Perlin's gradient noise. Vector noise is the lattice
 //! noise read at three offsets of the table, whatever the generator.
 //!
+//! The eight corners of a lattice cell are worked on in pairs, in SIMD lanes; sums keep POV-Ray's order.
+//!
 //! Source: sections 5.2 to 5.5 of the function facts, measured on POV-Ray 3.7.0.10.
 
 use super::DVec3;
 use super::noise_table::NOISE_TABLE;
 use std::sync::LazyLock;
+use wide::f64x2;
 
 /// Which of the three noises.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -54,13 +57,13 @@ static PERMUTATION: [u16; PERIOD] = {
     table
 };
 
-/// The noise table as it is read: twelve numbers from each of 256 places on, so that a corner's
-/// lie together and an eight-bit number needs no check.
-static CORNERS: [[f64; 12]; 256] = {
-    let mut rows = [[0.0; 12]; 256];
+/// The noise table as it is read: value, halved as it is used, and slopes of a corner lie together.
+/// Component k of the vector noise stands 4k rows further on.
+static ROWS: [[f64; 4]; 264] = {
+    let mut rows = [[0.0; 4]; 264];
     let mut i = 0;
-    while i < 256 * 12 {
-        rows[i / 12][i % 12] = NOISE_TABLE[i / 12 + i % 12];
+    while i < 264 {
+        rows[i] = [0.5 * NOISE_TABLE[i], NOISE_TABLE[i + 1], NOISE_TABLE[i + 2], NOISE_TABLE[i + 3]];
         i += 1;
     }
     rows
@@ -77,24 +80,26 @@ pub fn permuted(i: usize) -> usize {
     PERMUTATION[i & (PERIOD - 1)].into()
 }
 
-/// A lattice cell: hashes of its corners and the point inside it.
+/// A lattice cell and the point in it. Its corners are taken in pairs along x, both in SIMD lanes.
 struct Cell {
-    /// Numbers of corner (a, b, c) at position a + 2b + 4c.
-    corners: [&'static [f64; 12]; 8],
-    /// Distances from the lower and the upper side of the cell, by axis.
-    distances: [[f64; 2]; 3],
-    /// Corner weights, in the order of `corners`.
-    weights: [f64; 8],
+    /// Table rows of corners (0, b, c) and (1, b, c) at position b + 2c.
+    rows: [[u8; 2]; 4],
+    /// Distances from the lower and the upper side of the cell along x.
+    x: f64x2,
+    /// The same along y and z.
+    yz: [[f64; 2]; 2],
+    /// Weights of the pairs of corners.
+    weights: [f64x2; 4],
 }
 
 /// Just below one: coordinates above -1e-10 belong to cell 0, as in POV-Ray.
 const POV_ALMOST_ONE: f64 = 1.0 - 1e-10;
 /// Moves cells of ordinary coordinates into positive numbers, as in POV-Ray.
-const POV_OFFSET: i64 = 10_000;
+const POV_OFFSET: i32 = 10_000;
 
-fn cell_index(c: f64) -> i64 {
+fn cell_index(c: f64) -> i32 {
     // Saturating: coordinates beyond 2^31 have no defined noise in POV-Ray.
-    (if c >= 0.0 { c as i32 } else { (c - POV_ALMOST_ONE) as i32 }).into()
+    (if c >= 0.0 { c } else { c - POV_ALMOST_ONE }) as i32
 }
 
 fn smooth(f: f64) -> f64 {
@@ -102,31 +107,36 @@ fn smooth(f: f64) -> f64 {
 }
 
 impl Cell {
+    // Always inline: it halves the work that its parts need not be put into memory.
+    #[inline(always)]
     fn around(p: DVec3) -> Self {
         let n = [cell_index(p.x), cell_index(p.y), cell_index(p.z)];
-        let fraction = [p.x - n[0] as f64, p.y - n[1] as f64, p.z - n[2] as f64];
-        let at = |i: i64| (i + POV_OFFSET) as usize & (PERIOD - 1);
-        let (x, y, z) = ([at(n[0]), at(n[0] + 1)], [at(n[1]), at(n[1] + 1)], [at(n[2]), at(n[2] + 1)]);
-        let first = x.map(permuted);
-        let second: [usize; 4] = std::array::from_fn(|i| permuted(first[i & 1] ^ y[i >> 1]));
-        let corners = std::array::from_fn(|i| &CORNERS[permuted(second[i & 3] ^ z[i >> 2]) & 255]);
+        let fraction = [p.x - f64::from(n[0]), p.y - f64::from(n[1]), p.z - f64::from(n[2])];
+        let sides = n.map(|i| [i.wrapping_add(POV_OFFSET) as usize, i.wrapping_add(POV_OFFSET + 1) as usize]);
+        let first = sides[0].map(permuted);
+        let rows =
+            std::array::from_fn(|k| first.map(|x| permuted(permuted(x ^ sides[1][k & 1]) ^ sides[2][k >> 1]) as u8));
         let [sx, sy, sz] = fraction.map(|f| [1.0 - smooth(f), smooth(f)]);
-        let flat: [f64; 4] = std::array::from_fn(|i| sx[i & 1] * sy[i >> 1]);
-        let weights = std::array::from_fn(|i| flat[i & 3] * sz[i >> 2]);
-        Self { corners, distances: fraction.map(|f| [f, f - 1.0]), weights }
+        let x = f64x2::from(sx);
+        let weights = std::array::from_fn(|k| x * sy[k & 1] * sz[k >> 1]);
+        let [x, y, z] = fraction.map(|f| [f, f - 1.0]);
+        Self { rows, x: f64x2::from(x), yz: [y, z], weights }
     }
 
-    /// The noise read at one of three offsets of the table, unscaled.
-    #[inline]
-    fn value<const OFFSET: usize>(&self) -> f64 {
-        let [x, y, z] = &self.distances;
-        let terms: [f64; 8] = std::array::from_fn(|i| {
-            let t = self.corners[i];
-            let slope = 0.5 * t[OFFSET] + t[OFFSET + 1] * x[i & 1] + t[OFFSET + 2] * y[(i >> 1) & 1];
-            self.weights[i] * (slope + t[OFFSET + 3] * z[i >> 2])
-        });
-        // In this order, for POV-Ray's last bit.
-        terms.iter().fold(0.0, |sum, term| sum + term)
+    /// One component of the vector noise; the first is the noise, unscaled.
+    #[inline(always)]
+    fn value<const COMPONENT: usize>(&self) -> f64 {
+        let [y, z] = &self.yz;
+        let mut sum = 0.0;
+        for k in 0..4 {
+            let [a, b] = self.rows[k].map(|row| &ROWS[usize::from(row) + 4 * COMPONENT]);
+            let column = |i: usize| f64x2::from([a[i], b[i]]);
+            let slopes = column(0) + column(1) * self.x + column(2) * y[k & 1] + column(3) * z[k >> 1];
+            let [lower, upper] = (self.weights[k] * slopes).to_array();
+            // In this order, for POV-Ray's last bit.
+            sum = sum + lower + upper;
+        }
+        sum
     }
 }
 
@@ -143,13 +153,13 @@ pub fn noise(generator: NoiseGenerator, p: DVec3) -> f64 {
 /// Three unclamped noises at a point, about -1 to 1: displacements.
 pub fn vector_noise(p: DVec3) -> DVec3 {
     let cell = Cell::around(p);
-    DVec3::new(cell.value::<0>(), cell.value::<4>(), cell.value::<8>())
+    DVec3::new(cell.value::<0>(), cell.value::<1>(), cell.value::<2>())
 }
 
 /// Gradients of the third generator and its permutation.
 struct Gradients {
-    gradients: Vec<[f64; 3]>,
-    permutation: Vec<u16>,
+    gradients: Box<[[f64; 3]; PERLIN_PERIOD]>,
+    permutation: Box<[u16; PERLIN_PERIOD]>,
 }
 
 /// Size of the third generator's tables.
@@ -160,43 +170,53 @@ const PERLIN_OFFSET: f64 = 10_000_000.023_157_213;
 static GRADIENTS: LazyLock<Gradients> = LazyLock::new(|| {
     let mut random = Congruential(1);
     let mut component = || (f64::from(random.draw() % 4096) - 2048.0) / 2048.0;
-    let gradients = (0..PERLIN_PERIOD)
-        .map(|_| {
-            loop {
-                let v = [component(), component(), component()];
-                let squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-                if (1e-5..=1.0).contains(&squared) {
-                    // Rejection keeps directions even; the lower limit is POV-Ray's.
-                    let scale = 1.0 / squared.sqrt();
-                    return v.map(|c| c * scale);
-                }
+    let gradients = Box::new(std::array::from_fn(|_| {
+        loop {
+            let v = [component(), component(), component()];
+            let squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+            if (1e-5..=1.0).contains(&squared) {
+                // Rejection keeps directions even; the lower limit is POV-Ray's.
+                let scale = 1.0 / squared.sqrt();
+                return v.map(|c| c * scale);
             }
-        })
-        .collect();
+        }
+    }));
     let mut permutation: Vec<u16> = (0..PERLIN_PERIOD as u16).chain([0]).collect();
     for i in (2..=PERLIN_PERIOD).rev().step_by(2) {
         permutation.swap(i, random.draw() as usize % PERLIN_PERIOD);
     }
-    permutation.truncate(PERLIN_PERIOD);
+    let permutation = Box::new(std::array::from_fn(|i| permutation[i]));
     Gradients { gradients, permutation }
 });
 
+/// The largest whole number not above a number below 2^63; a call of the C library on many machines
+/// is what this saves.
+fn floor(v: f64) -> f64 {
+    let whole = v as i64 as f64;
+    if whole > v { whole - 1.0 } else { whole }
+}
+
 fn perlin(p: DVec3) -> f64 {
     let tables = &*GRADIENTS;
-    let t = p + DVec3::splat(PERLIN_OFFSET);
-    let n = t.floor();
-    let f = t - n;
-    let at = |v: f64, upper: usize| ((v as i64 & (PERLIN_PERIOD as i64 - 1)) as usize + upper) & (PERLIN_PERIOD - 1);
-    let hash = |i: usize| tables.permutation[i & (PERLIN_PERIOD - 1)] as usize;
-    let corner = |a: usize, b: usize, c: usize| {
-        let g = tables.gradients[(hash(hash(at(n.x, a)) + at(n.y, b)) + at(n.z, c)) & (PERLIN_PERIOD - 1)];
-        (f.x - a as f64) * g[0] + (f.y - b as f64) * g[1] + (f.z - c as f64) * g[2]
-    };
+    let t = (p + DVec3::splat(PERLIN_OFFSET)).to_array();
+    let n = t.map(floor);
+    let [x, y, z]: [[f64; 2]; 3] = std::array::from_fn(|i| [t[i] - n[i], t[i] - n[i] - 1.0]);
+    let sides = n.map(|n| [n as i64 as usize, n as i64 as usize + 1]);
+    let hash = |i: usize| usize::from(tables.permutation[i % PERLIN_PERIOD]);
+    let first = sides[0].map(|x| hash(x));
+    let [wx, wy, wz] = [x, y, z].map(|side| smooth(side[0]));
     let lerp = |w: f64, a: f64, b: f64| a + w * (b - a);
-    let (wx, wy, wz) = (smooth(f.x), smooth(f.y), smooth(f.z));
-    let along_x = |b: usize, c: usize| lerp(wx, corner(0, b, c), corner(1, b, c));
-    let along_y = |c: usize| lerp(wy, along_x(0, c), along_x(1, c));
-    let d = lerp(wz, along_y(0), along_y(1));
+    let along_x: [f64; 4] = std::array::from_fn(|k| {
+        let corners = first.map(|x| {
+            let h = hash(x + sides[1][k & 1] % PERLIN_PERIOD) + sides[2][k >> 1];
+            &tables.gradients[h % PERLIN_PERIOD]
+        });
+        let column = |i: usize| f64x2::from([corners[0][i], corners[1][i]]);
+        let slopes = column(0) * f64x2::from(x) + column(1) * y[k & 1] + column(2) * z[k >> 1];
+        let [lower, upper] = slopes.to_array();
+        lerp(wx, lower, upper)
+    });
+    let d = lerp(wz, lerp(wy, along_x[0], along_x[1]), lerp(wy, along_x[2], along_x[3]));
     (0.5 * (1.59 * d + 0.985)).clamp(0.0, 1.0)
 }
 

@@ -36,7 +36,7 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
         PatternKind::Marble(inner) => noise_formula::marble(inner.as_deref(), p),
         PatternKind::Material(image, mapping, n) => image.material_index(mapping, p, *n) as f64,
         PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p))),
-        PatternKind::Onion => p.length() % 1.0,
+        PatternKind::Onion => p.length().fract(),
         PatternKind::Pavement(pavement) => pavement.value(p),
         PatternKind::Pigment(pigment) => f64::from(gray(pigment.color_or_clear(p, context).rgb)),
         PatternKind::Planar => falling(p.y.abs()),
@@ -81,7 +81,7 @@ fn falling(distance: f64) -> f64 {
 
 /// Values above 1 start again; the sign stays.
 fn wrapped(v: f64) -> f64 {
-    if v > 1.0 { v % 1.0 } else { v }
+    if v > 1.0 { v.fract() } else { v }
 }
 
 fn checker(p: DVec3) -> f64 {

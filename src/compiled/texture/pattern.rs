@@ -167,9 +167,16 @@ impl Pattern {
     }
 }
 
+/// POV-Ray's period of a value: a little more than 1, so that 1 itself stays.
+const POV_PERIOD: f64 = 1.000_01;
+
 /// Frequency, phase and wave, as in section 2 of the pattern facts; the odd modulus is measured.
 fn shape(raw: f64, frequency: f64, phase: f64, wave: Wave) -> f64 {
-    let mut v = if frequency == 0.0 { raw } else { (raw * frequency + phase) % 1.000_01 };
+    let mut v = if frequency == 0.0 { raw } else { raw * frequency + phase };
+    // Most values lie in the first period, and a remainder is costly.
+    if frequency != 0.0 && v.abs() >= POV_PERIOD {
+        v %= POV_PERIOD;
+    }
     if v < 0.0 {
         v -= v.floor();
     }

@@ -45,7 +45,7 @@ impl Slope {
         }
         let cosine = normal.dot(axis).clamp(-1.0, 1.0);
         let slope = rescaled(0.5 * (1.0 + cosine.asin() * 2.0 / std::f64::consts::PI), self.range);
-        let wrapped = |v: f64| if v < 0.0 { 1.0 + v % 1.0 } else { v % 1.0 };
+        let wrapped = |v: f64| if v < 0.0 { 1.0 + v.fract() } else { v.fract() };
         let Some((share, up, range)) = self.altitude else {
             return if slope == 1.0 { 1.0 - BELOW_ONE } else { wrapped(slope) };
         };
