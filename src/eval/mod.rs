@@ -34,6 +34,7 @@ mod geometry_functions;
 mod host;
 mod includes;
 mod loops;
+mod macro_results;
 mod macros;
 mod messages;
 mod options;
