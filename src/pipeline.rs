@@ -31,7 +31,7 @@ pub struct Outcome {
     pub metadata: Metadata,
     /// Everything worth mentioning.
     pub warnings: Vec<Diagnostic>,
-    /// The files that were read, to show the warnings.
+    /// The files that were read, to show the warnings; large ones must be [restored](SourceMap::restored).
     pub sources: SourceMap,
     /// Time of each stage.
     pub timings: Timings,
@@ -40,7 +40,8 @@ pub struct Outcome {
 /// From a scene file to a picture.
 ///
 /// # Errors
-/// What is wrong with the scene, with the files needed to show it.
+/// What is wrong with the scene, with the files needed to show it (large ones must be
+/// [restored](SourceMap::restored)).
 pub fn render_file(
     scene: &Path,
     reading: &eval::Options,
@@ -49,8 +50,9 @@ pub fn render_file(
     progress: Progress<'_>,
 ) -> Result<Outcome, Box<Failed>> {
     let mut timings = Timings::default();
-    let Evaluated { scene: description, mut warnings, sources } =
+    let Evaluated { scene: description, mut warnings, mut sources } =
         timings.time("read", || eval::evaluate(scene, reading, host, &Queries::default()))?;
+    sources.release_large();
     let (world, more) = match timings.time("compile", || compile::compile(&description)) {
         Ok(compiled) => compiled,
         Err(errors) => {

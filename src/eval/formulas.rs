@@ -218,6 +218,7 @@ impl Evaluator<'_> {
     /// Any node, in a place of width `n`.
     pub(super) fn walk(&mut self, walk: &Walk<'_>, id: NodeId, n: u8) -> SourceResult<Number> {
         let value = match walk.formula.nodes[id as usize] {
+            Node::Constant(value) => Number::scalar(value),
             Node::Axes(v, n) => Number { n, v: [v[0], v[1], v[2], 0.0, 0.0] },
             Node::Vector(list) => {
                 let mut value = Number { n: list.n, v: [0.0; 5] };
@@ -343,16 +344,19 @@ impl Evaluator<'_> {
                 None => self.no_stream(self.token_span(walk, token)),
             };
         }
-        let mut values: SmallVec<[f64; 8]> = SmallVec::new();
-        values.push(first);
-        for i in 1..usize::from(list.n) {
-            values.push(self.walk_float(walk, walk.item(list, i))?);
-        }
         let value = match word {
-            Keyword::Max => Ok(largest(&values)),
-            Keyword::Min => Ok(smallest(&values)),
-            Keyword::Select => Ok(selected(&values)),
-            _ if values.len() == 2 => two_arguments(word, values[0], values[1]),
+            Keyword::Max | Keyword::Min | Keyword::Select => {
+                let mut values: SmallVec<[f64; 8]> = SmallVec::from_slice(&[first]);
+                for i in 1..usize::from(list.n) {
+                    values.push(self.walk_float(walk, walk.item(list, i))?);
+                }
+                Ok(match word {
+                    Keyword::Max => largest(&values),
+                    Keyword::Min => smallest(&values),
+                    _ => selected(&values),
+                })
+            }
+            _ if list.n == 2 => two_arguments(word, first, self.walk_float(walk, walk.item(list, 1))?),
             _ => within_bounds(word, first),
         };
         match value {

@@ -50,6 +50,8 @@ mod vector_functions;
 mod vector_lists;
 
 #[cfg(test)]
+mod formula_probes;
+#[cfg(test)]
 mod probes;
 
 pub use disk::Disk;
