@@ -1,6 +1,7 @@
 //! The stages in order, timed: read, compile, render.
 
 use crate::compile::{self, Queries};
+use crate::compiled::World;
 use crate::diag::{Diagnostic, SourceMap};
 use crate::eval::{self, Evaluated, Failed, Host};
 use crate::imaging::{Metadata, Picture};
@@ -37,11 +38,45 @@ pub struct Outcome {
     pub timings: Timings,
 }
 
-/// From a scene file to a picture.
+/// A scene file turned into what rays meet.
+#[derive(Debug)]
+pub struct Compiled {
+    /// The world.
+    pub world: World,
+    /// Everything worth mentioning.
+    pub warnings: Vec<Diagnostic>,
+    /// The files that were read, to show the warnings; large ones must be [restored](SourceMap::restored).
+    pub sources: SourceMap,
+    /// Time of each stage.
+    pub timings: Timings,
+}
+
+/// From a scene file to a world: all that can go wrong with a scene goes wrong here.
 ///
 /// # Errors
 /// What is wrong with the scene, with the files needed to show it (large ones must be
 /// [restored](SourceMap::restored)).
+pub fn compile_file(scene: &Path, reading: &eval::Options, host: &dyn Host) -> Result<Compiled, Box<Failed>> {
+    let mut timings = Timings::default();
+    let Evaluated { scene: description, mut warnings, mut sources } =
+        timings.time("read", || eval::evaluate(scene, reading, host, &Queries::default()))?;
+    sources.release_large();
+    match timings.time("compile", || compile::compile(&description)) {
+        Ok((world, more)) => {
+            warnings.extend(more);
+            Ok(Compiled { world, warnings, sources, timings })
+        }
+        Err(errors) => {
+            warnings.extend(errors);
+            Err(Box::new(Failed { diagnostics: warnings, sources }))
+        }
+    }
+}
+
+/// From a scene file to a picture.
+///
+/// # Errors
+/// Those of [`compile_file`].
 pub fn render_file(
     scene: &Path,
     reading: &eval::Options,
@@ -49,19 +84,7 @@ pub fn render_file(
     host: &dyn Host,
     progress: Progress<'_>,
 ) -> Result<Outcome, Box<Failed>> {
-    let mut timings = Timings::default();
-    let Evaluated { scene: description, mut warnings, mut sources } =
-        timings.time("read", || eval::evaluate(scene, reading, host, &Queries::default()))?;
-    sources.release_large();
-    let (world, more) = match timings.time("compile", || compile::compile(&description)) {
-        Ok(compiled) => compiled,
-        Err(errors) => {
-            warnings.extend(errors);
-            return Err(Box::new(Failed { diagnostics: warnings, sources }));
-        }
-    };
-    warnings.extend(more);
-    drop(description);
+    let Compiled { world, warnings, sources, mut timings } = compile_file(scene, reading, host)?;
     let start = Instant::now();
     let rendered = timings.time("render", || render::render(&world, options, progress));
     let metadata = Metadata {

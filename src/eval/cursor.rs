@@ -83,6 +83,13 @@ impl Cursor {
         self.index
     }
 
+    /// Lets the token that was read last come again.
+    pub(super) fn step_back(&mut self) {
+        if self.run.is_none() {
+            self.index = self.index.saturating_sub(1);
+        }
+    }
+
     /// Makes its first piece the current one.
     pub(super) fn enter(&mut self, names: &mut Names) {
         if self.tokens.is_none() {

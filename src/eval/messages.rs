@@ -24,7 +24,14 @@ impl Evaluator<'_> {
 
     /// A limit was met; `name` is the field of [`super::Limits`].
     pub(super) fn limit<T>(&self, span: Span, message: String, name: &str) -> SourceResult<T> {
+        self.given_up.set(true);
         self.error_with_hint(span, message, format!("if that is meant, raise it with --limit {name}=N"))
+    }
+
+    /// A directive that belongs to nothing: what follows would be taken for what it is not.
+    pub(super) fn mismatched<T>(&self, span: Span, message: impl Into<String>) -> SourceResult<T> {
+        self.given_up.set(true);
+        self.error(span, message)
     }
 
     /// "expected WHAT, found …" at the peeked token.
