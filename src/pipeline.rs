@@ -1,7 +1,7 @@
 //! The stages in order, timed: read, compile, render.
 
-use crate::compile::{self, Queries};
-use crate::compiled::World;
+use crate::compile::geometry::Watched;
+use crate::compile::{self, Compiled, Queries};
 use crate::diag::{Diagnostic, SourceMap};
 use crate::eval::{self, Evaluated, Failed, Host};
 use crate::imaging::{Metadata, Picture};
@@ -38,12 +38,12 @@ pub struct Outcome {
     pub timings: Timings,
 }
 
-/// A scene file turned into what rays meet.
+/// A scene that is ready to be rendered.
 #[derive(Debug)]
-pub struct Compiled {
-    /// The world.
-    pub world: World,
-    /// Everything worth mentioning.
+pub struct Ready {
+    /// What rays meet.
+    pub compiled: Compiled,
+    /// Everything worth mentioning; those of [`Compiled`] have moved here.
     pub warnings: Vec<Diagnostic>,
     /// The files that were read, to show the warnings; large ones must be [restored](SourceMap::restored).
     pub sources: SourceMap,
@@ -56,15 +56,15 @@ pub struct Compiled {
 /// # Errors
 /// What is wrong with the scene, with the files needed to show it (large ones must be
 /// [restored](SourceMap::restored)).
-pub fn compile_file(scene: &Path, reading: &eval::Options, host: &dyn Host) -> Result<Compiled, Box<Failed>> {
+pub fn compile_file(scene: &Path, reading: &eval::Options, host: &dyn Host) -> Result<Ready, Box<Failed>> {
     let mut timings = Timings::default();
     let Evaluated { scene: description, mut warnings, mut sources } =
         timings.time("read", || eval::evaluate(scene, reading, host, &Queries::default()))?;
     sources.release_large();
     match timings.time("compile", || compile::compile(&description)) {
-        Ok((world, more)) => {
-            warnings.extend(more);
-            Ok(Compiled { world, warnings, sources, timings })
+        Ok(mut compiled) => {
+            warnings.append(&mut compiled.warnings);
+            Ok(Ready { compiled, warnings, sources, timings })
         }
         Err(errors) => {
             warnings.extend(errors);
@@ -84,9 +84,11 @@ pub fn render_file(
     host: &dyn Host,
     progress: Progress<'_>,
 ) -> Result<Outcome, Box<Failed>> {
-    let Compiled { world, warnings, sources, mut timings } = compile_file(scene, reading, host)?;
+    let Ready { compiled, mut warnings, sources, mut timings } = compile_file(scene, reading, host)?;
+    let Compiled { world, watched, .. } = compiled;
     let start = Instant::now();
     let rendered = timings.time("render", || render::render(&world, options, progress));
+    warnings.extend(watched.iter().filter_map(Watched::warning));
     let metadata = Metadata {
         software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
         scene: scene.display().to_string(),

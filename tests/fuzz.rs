@@ -137,7 +137,7 @@ fn outcome(text: &[u8]) -> Result<(), String> {
         let options = Options { limits: LIMITS, ..Options::default() };
         match eval::evaluate("a.pov".as_ref(), &options, &host, &Queries::default()) {
             Err(failed) => failed.diagnostics.iter().map(|d| d.render(&failed.sources, false).len()).sum::<usize>(),
-            Ok(read) => compile::compile(&read.scene).map_or(0, |(world, _)| world.textures.len()),
+            Ok(read) => compile::compile(&read.scene).map_or(0, |compiled| compiled.world.textures.len()),
         }
     };
     catch_unwind(AssertUnwindSafe(work)).map_err(|_| "it panics".to_owned())?;

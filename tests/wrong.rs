@@ -19,7 +19,7 @@ fn messages(scene: &Path) -> String {
         Err(failed) => show(&failed.diagnostics, &failed.sources),
         Ok(read) => {
             let compiled = match compile::compile(&read.scene) {
-                Ok((_, warnings)) => warnings,
+                Ok(compiled) => compiled.warnings,
                 Err(errors) => errors,
             };
             show(&read.warnings, &read.sources) + &show(&compiled, &read.sources)

@@ -2,7 +2,7 @@
 
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, messages};
-use crate::pipeline::{self, Compiled};
+use crate::pipeline::{self, Ready};
 use std::process::ExitCode;
 
 /// What was typed.
@@ -17,7 +17,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let scene = &arguments.scene;
     let (width, height) = super::render::DEFAULT_SIZE;
     match pipeline::compile_file(&scene.scene, &scene.reading(width, height), &scene.host()) {
-        Ok(Compiled { warnings, sources, .. }) => {
+        Ok(Ready { warnings, sources, .. }) => {
             scene.messages.show(&warnings, &sources);
             let wanted = scene.messages.wanted(&warnings);
             let found = messages::count(&wanted).unwrap_or_else(|| "no complaints".into());

@@ -73,7 +73,8 @@ fn scene(arguments: &Arguments) -> Result<String, ExitCode> {
     if matches!(arguments.stage, Stage::Scene) {
         return Ok(read.scene.dump());
     }
-    let (world, _) = compile::compile(&read.scene).map_err(|errors| show(&errors, &read.sources))?;
+    let compiled = compile::compile(&read.scene).map_err(|errors| show(&errors, &read.sources))?;
+    let world = compiled.world;
     let lines = world.summary().into_iter().map(|(what, count)| format!("{what:<22}{count:>12}\n"));
     Ok(lines.collect())
 }

@@ -4,7 +4,7 @@ use super::scene_arguments::SceneArguments;
 use super::{ERROR, fail, messages};
 use crate::imaging::{self, Encoding, FileKind};
 use crate::pipeline::{self, Outcome, Timings};
-use crate::render::{Antialias, Method, Options};
+use crate::render::{Antialias, ImageLayer, Method, Options, Region};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -50,6 +50,14 @@ pub(super) struct Arguments {
     /// Write PNG with 16 instead of 8 bits
     #[arg(long)]
     sixteen_bit: bool,
+    /// Render a part of the picture: columns X0 to X1 and rows Y0 to Y1 from the upper left corner at 0,0,
+    /// X1 and Y1 not included. Its pixels are those of the whole picture; an EXR file keeps its place
+    #[arg(long, value_parser = region, value_name = "X0,Y0,X1,Y1")]
+    region: Option<Region>,
+    /// Write layers into the EXR file: all, or a list of Z, P, N, Ng, albedo, emission, direct, reflection,
+    /// refraction, background, atmosphere, samples, CryptoObject and CryptoMaterial
+    #[arg(long, value_parser = layers, value_name = "LIST")]
+    layers: Option<Layers>,
     /// Say how long each stage took
     #[arg(long)]
     timings: bool,
@@ -58,6 +66,39 @@ pub(super) struct Arguments {
 /// Antialiasing as typed; `off` is a setting, too.
 #[derive(Clone, Copy, Debug)]
 struct Setting(Option<Antialias>);
+
+/// Layers as typed.
+#[derive(Clone, Debug)]
+struct Layers(Vec<ImageLayer>);
+
+fn layers(text: &str) -> Result<Layers, String> {
+    if text == "all" {
+        return Ok(Layers(ImageLayer::ALL.to_vec()));
+    }
+    let mut layers = Vec::new();
+    for name in text.split(',').map(str::trim) {
+        let layer = ImageLayer::named(name).ok_or_else(|| {
+            let names = ImageLayer::ALL.map(ImageLayer::name).join(", ");
+            format!("'{name}' is none of all, {names}")
+        })?;
+        if !layers.contains(&layer) {
+            layers.push(layer);
+        }
+    }
+    Ok(Layers(layers))
+}
+
+fn region(text: &str) -> Result<Region, String> {
+    let numbers: Vec<usize> = text
+        .split(',')
+        .map(|part| part.trim().parse().map_err(|_| format!("'{part}' is not a number of pixels")))
+        .collect::<Result<_, _>>()?;
+    let &[left, top, right, bottom] = numbers.as_slice() else { return Err("expected X0,Y0,X1,Y1".into()) };
+    if left >= right || top >= bottom {
+        return Err("X1 and Y1 must be greater than X0 and Y0".into());
+    }
+    Ok(Region { left, top, right, bottom })
+}
 
 fn size(text: &str) -> Result<usize, String> {
     // POV-Ray takes fractional sizes from some exporters and cuts them.
@@ -95,7 +136,16 @@ impl Arguments {
             (None, None) => DEFAULT_SIZE,
         };
         let antialias = self.antialias.and_then(|setting| setting.0);
-        Options { width, height, antialias, quality: self.quality, alpha: self.alpha, threads: self.threads }
+        Options {
+            width,
+            height,
+            antialias,
+            quality: self.quality,
+            alpha: self.alpha,
+            threads: self.threads,
+            region: self.region,
+            layers: self.layers.as_ref().map_or_else(Vec::new, |layers| layers.0.clone()),
+        }
     }
 
     /// The picture's file, and that of its preview.
@@ -124,8 +174,16 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         }
     }
     let options = arguments.options();
+    let window = options.window();
+    if options.region.is_some_and(|region| region != window) {
+        return fail(format_args!("--region reaches beyond the picture of {} x {}", options.width, options.height));
+    }
+    let is_exr = |file: &PathBuf| FileKind::of(file) == Some(FileKind::Exr);
+    if !options.layers.is_empty() && !is_exr(&output) {
+        return fail(format_args!("{}: only EXR files have layers", output.display()));
+    }
     let reading = arguments.scene.reading(options.width, options.height);
-    let bar = progress_bar(options.width * options.height);
+    let bar = progress_bar(window.width() * window.height());
     let advance = |n: usize| bar.inc(n as u64);
     let result = pipeline::render_file(&arguments.scene.scene, &reading, &options, &arguments.scene.host(), &advance);
     bar.finish_and_clear();

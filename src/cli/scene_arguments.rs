@@ -3,6 +3,7 @@
 use super::include_dirs;
 use super::messages::Manner;
 use crate::eval::{self, Disk, Limits};
+use crate::scene::IsosurfaceSearch;
 use std::path::{Path, PathBuf};
 
 /// Where a scene is and where it may look.
@@ -26,11 +27,22 @@ pub(super) struct SceneArguments {
     /// array_elements or string_bytes
     #[arg(long, value_name = "NAME=N", value_parser = limit)]
     limit: Vec<(String, u64)>,
+    /// How isosurfaces are looked for: `guaranteed` finds all of the surface where its function can be
+    /// bounded; `povray` believes max_gradient and may leave holes
+    #[arg(long, value_enum, default_value = "guaranteed", value_name = "HOW")]
+    isosurface_search: Search,
     /// Use the standard include files of this program, not those of an installed POV-Ray
     #[arg(long)]
     embedded_includes: bool,
     #[command(flatten)]
     pub(super) messages: Manner,
+}
+
+/// As typed.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Search {
+    Guaranteed,
+    Povray,
 }
 
 fn declaration(text: &str) -> Result<(String, f64), String> {
@@ -57,6 +69,10 @@ impl SceneArguments {
             image_width: width as u32,
             image_height: height as u32,
             now: days_since_2000(),
+            isosurface_search: match self.isosurface_search {
+                Search::Guaranteed => IsosurfaceSearch::Guaranteed,
+                Search::Povray => IsosurfaceSearch::PovRay,
+            },
             ..eval::Options::default()
         };
         for (name, value) in &self.limit {

@@ -3,6 +3,7 @@
 use super::geometry::{PlacedLight, compile_object};
 use crate::compiled::light::{Area, Beam, Light};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
+use crate::math::DVec3;
 use crate::scene::{self, LightKind};
 
 /// Compiles a light that stands in world space.
@@ -17,6 +18,8 @@ pub(super) fn light(placed: &PlacedLight) -> SourceResult<Light> {
     };
     // POV-Ray's own limit for a fade distance.
     let fades = light.fade_power > 0.0 && light.fade_distance.abs() > 1e-10;
+    // `area_illumination` without `area_light` is written as a light without extent.
+    let extended = light.area.filter(|a| a.axis1 != DVec3::ZERO || a.axis2 != DVec3::ZERO);
     Ok(Light {
         location: light.location,
         color: light.color,
@@ -26,8 +29,8 @@ pub(super) fn light(placed: &PlacedLight) -> SourceResult<Light> {
         parallel: light.parallel,
         shadowless: light.kind == LightKind::Shadowless,
         fade: fades.then_some((light.fade_distance, light.fade_power)),
-        area: light.area.as_ref().map(area),
-        two_sided: light.area.is_some_and(|a| a.area_illumination),
+        area: extended.as_ref().map(area),
+        two_sided: extended.is_none() && light.area.is_some_and(|a| a.area_illumination),
         projected_through,
         media_attenuation: light.media_attenuation && light.media_interaction,
     })

@@ -8,4 +8,4 @@ pub mod texture;
 mod world;
 
 pub use queries::Queries;
-pub use world::compile;
+pub use world::{Compiled, compile};

@@ -1,6 +1,6 @@
 //! The whole scene: geometry first, then everything that its indices refer to.
 
-use super::geometry::{CompiledGeometry, PlacedLight};
+use super::geometry::{CompiledGeometry, PlacedLight, Watched};
 use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
 use crate::compiled::atmosphere::{Atmosphere, Fog, FogTurbulence, Rainbow, Sky};
@@ -15,6 +15,17 @@ use std::sync::Arc;
 /// POV-Ray's own limit below which a distance or width switches a thing off.
 const TINY: f64 = 1e-10;
 
+/// A compiled scene with what there is to say about it.
+#[derive(Debug)]
+pub struct Compiled {
+    /// What is rendered.
+    pub world: World,
+    /// What is left out or unusual.
+    pub warnings: Vec<Diagnostic>,
+    /// What may have something to say after rendering.
+    pub watched: Vec<Watched>,
+}
+
 /// Compiles a scene; warnings come beside the result.
 ///
 /// After this no texture, interior or light is missing, no transformation is the identity, and
@@ -22,8 +33,8 @@ const TINY: f64 = 1e-10;
 ///
 /// # Errors
 /// Everything that is unsupported or wrong, each with its place where one is known.
-pub fn compile(scene: &Scene) -> SourceResult<(World, Vec<Diagnostic>)> {
-    let CompiledGeometry { geometry, textures, interiors, lights, light_groups, mut warnings, .. } =
+pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
+    let CompiledGeometry { geometry, textures, interiors, lights, light_groups, labels, mut warnings, watched } =
         super::geometry::compile(scene)?;
     let mut errors = Vec::new();
     let mut compiler = TextureCompiler::new(&scene.settings);
@@ -49,8 +60,9 @@ pub fn compile(scene: &Scene) -> SourceResult<(World, Vec<Diagnostic>)> {
         camera,
         atmosphere,
         settings: settings(&scene.settings),
+        labels,
     };
-    Ok((world, warnings))
+    Ok(Compiled { world, warnings, watched })
 }
 
 /// Takes the value or notes the refusal; its place is only looked for then.

@@ -8,9 +8,11 @@ pub mod atmosphere;
 pub mod camera;
 pub mod geometry;
 pub mod interior;
+mod labels;
 pub mod light;
 pub mod mesh_camera;
 pub mod texture;
 mod world;
 
+pub use labels::Labels;
 pub use world::{Group, Settings, Transfer, World};

@@ -4,6 +4,7 @@ use super::atmosphere::Atmosphere;
 use super::camera::Camera;
 use super::geometry::{Geometry, InteriorId, LightGroupId, TextureId};
 use super::interior::Interior;
+use super::labels::Labels;
 use super::light::Light;
 use super::texture::Texture;
 use crate::math::Rgb;
@@ -31,6 +32,8 @@ pub struct World {
     pub atmosphere: Atmosphere,
     /// Limits and constants of shading.
     pub settings: Settings,
+    /// Names, for layers.
+    pub labels: Labels,
 }
 
 impl World {

@@ -5,6 +5,7 @@ use super::{Evaluator, Number, Place, Value, colors};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::syntax::{Keyword, Symbol, TokenKind};
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// An argument of a macro or an element of an array.
 #[derive(Clone, Debug)]
@@ -39,7 +40,11 @@ impl Evaluator<'_> {
         }
         self.take();
         self.deeper()?;
-        let (value, needs_semicolon) = self.declared_value()?;
+        let (mut value, needs_semicolon) = self.declared_value()?;
+        if let Value::Object(object) = &mut value {
+            // The name by which layers know it.
+            Arc::make_mut(object).name = Some(Arc::from(&**self.names.word(name)));
+        }
         self.nesting = self.nesting.saturating_sub(1);
         self.semicolon(needs_semicolon)?;
         match target {

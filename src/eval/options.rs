@@ -1,5 +1,6 @@
 //! What a caller may choose.
 
+use crate::scene::IsosurfaceSearch;
 use std::path::PathBuf;
 
 /// How to read a scene.
@@ -21,6 +22,8 @@ pub struct Options {
     pub image_height: u32,
     /// What `now` and `datetime` take for the present, in days since 2000-01-01 UTC.
     pub now: f64,
+    /// How isosurfaces are looked for.
+    pub isosurface_search: IsosurfaceSearch,
     /// Bounds on what a scene may use up.
     pub limits: Limits,
 }
@@ -36,6 +39,7 @@ impl Default for Options {
             image_width: 320,
             image_height: 240,
             now: 0.0,
+            isosurface_search: IsosurfaceSearch::default(),
             limits: Limits::default(),
         }
     }

@@ -1,10 +1,15 @@
 //! `function { … }`: what can be called with numbers while reading a scene and while rendering.
 
+mod enclosure;
 mod internal;
+mod interval;
+mod number;
 mod program;
 mod spline;
 
+pub use enclosure::{Enclosure, EnclosureSlots};
 pub use internal::Internal;
+pub use interval::Interval;
 pub use program::{Binary, Callee, Op, Program, ProgramBuilder, Slot, Slots, Unary, int32};
 pub use spline::{Spline, SplineKind};
 

@@ -223,8 +223,8 @@ impl Program {
 
     /// As [`eval`](Self::eval), with working memory to use again for the next call.
     pub fn eval_in(&self, arguments: &[f64], slots: &mut Slots) -> f64 {
-        slots.clear();
-        for op in &self.ops {
+        slots.resize(self.ops.len(), 0.0);
+        for (i, op) in self.ops.iter().enumerate() {
             let value = match op {
                 Op::Constant(c) => *c,
                 Op::Argument(i) => arguments.get(*i as usize).copied().unwrap_or(0.0),
@@ -251,7 +251,7 @@ impl Program {
                     fold(*product, slots[*from as usize], slots[*to as usize], body, &mut values)
                 }
             };
-            slots.push(value);
+            slots[i] = value;
         }
         slots[self.result as usize]
     }

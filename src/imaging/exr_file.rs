@@ -1,12 +1,13 @@
 //! OpenEXR in and out.
 //!
 //! Colours are channels `R`, `G`, `B` and, where there is transparency, `A`; layers are
-//! `name.channel`, as Blender, Nuke and OpenImageIO read them.
+//! `name.channel`, as Blender, Nuke and OpenImageIO read them. A part of a picture has a data window
+//! inside the full picture's display window.
 
 use super::{ImageError, Layer, Metadata, Picture};
 use exr::prelude::{
-    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, LayerAttributes, LineOrder, Text, Vec2,
-    WritableImage, attribute::AttributeValue, f16,
+    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, IntegerBounds, LayerAttributes,
+    LineOrder, Text, Vec2, WritableImage, attribute::AttributeValue, f16,
 };
 use exr::prelude::{ReadChannels, ReadLayers};
 use std::io::Cursor;
@@ -37,7 +38,8 @@ pub(super) fn encode_exr(
     }
     for layer in &picture.layers {
         for (channel, values) in &layer.channels {
-            let name = Text::from(format!("{}.{channel}", layer.name).as_str());
+            let name = if layer.name.is_empty() { channel.clone() } else { format!("{}.{channel}", layer.name) };
+            let name = Text::from(name.as_str());
             channels.push(AnyChannel::new(name, FlatSamples::F32(values.clone())));
         }
     }
@@ -45,17 +47,23 @@ pub(super) fn encode_exr(
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
     let layer = exr::prelude::Layer::new(
         Vec2(picture.width, picture.height),
-        attributes(metadata),
+        attributes(picture, metadata),
         encoding,
         AnyChannels::sort(channels.into_iter().collect()),
     );
     let mut bytes = Cursor::new(Vec::new());
-    Image::from_layer(layer).write().to_buffered(&mut bytes).map_err(|e| invalid(path, &e))?;
+    let mut image = Image::from_layer(layer);
+    image.attributes.display_window = IntegerBounds::new(Vec2(0, 0), Vec2(picture.full[0], picture.full[1]));
+    image.write().to_buffered(&mut bytes).map_err(|e| invalid(path, &e))?;
     Ok(bytes.into_inner())
 }
 
-fn attributes(metadata: &Metadata) -> LayerAttributes {
-    let mut attributes = LayerAttributes::default();
+fn attributes(picture: &Picture, metadata: &Metadata) -> LayerAttributes {
+    let layer_position = Vec2(picture.origin[0], picture.origin[1]);
+    let mut attributes = LayerAttributes { layer_position, ..LayerAttributes::default() };
+    for (name, value) in picture.layers.iter().flat_map(|layer| &layer.attributes) {
+        attributes.other.insert(Text::from(name.as_str()), AttributeValue::Text(Text::from(value.as_str())));
+    }
     if !metadata.software.is_empty() {
         attributes.software_name = Some(Text::from(metadata.software.as_str()));
     }
@@ -93,6 +101,10 @@ fn decode_exr(path: &Path, bytes: &[u8]) -> Result<Picture, ImageError> {
         .map_err(|e| invalid(path, &e))?;
     let Vec2(width, height) = image.layer_data.size;
     let mut picture = Picture::filled(width, height, [0.0, 0.0, 0.0, 1.0]);
+    let (window, position) = (image.attributes.display_window, image.layer_data.attributes.layer_position);
+    picture.origin =
+        [position.x().saturating_sub(window.position.x()), position.y().saturating_sub(window.position.y())];
+    picture.full = [window.size.width(), window.size.height()];
     let mut has_color = false;
     for channel in image.layer_data.channel_data.list {
         let values: Vec<f32> = channel.sample_data.values_as_f32().collect();
@@ -122,7 +134,9 @@ fn decode_exr(path: &Path, bytes: &[u8]) -> Result<Picture, ImageError> {
 fn add_channel(layers: &mut Vec<Layer>, layer: &str, suffix: &str, values: Vec<f32>) {
     match layers.iter_mut().find(|l| l.name == layer) {
         Some(found) => found.channels.push((suffix.into(), values)),
-        None => layers.push(Layer { name: layer.into(), channels: vec![(suffix.into(), values)] }),
+        None => {
+            layers.push(Layer { name: layer.into(), channels: vec![(suffix.into(), values)], attributes: Vec::new() })
+        }
     }
 }
 
@@ -138,8 +152,14 @@ mod tests {
         let mut picture = Picture::filled(3, 2, [0.25, 1.5, -0.5, 1.0]);
         picture.pixels[1] = [65504.0, 0.0, 1.0, if has_alpha { 0.5 } else { 1.0 }];
         picture.has_alpha = has_alpha;
-        let depth = (0..6).map(|i| i as f32 / 3.0).collect();
-        picture.layers.push(Layer { name: "depth".into(), channels: vec![("Z".into(), depth)] });
+        let depth: Vec<f32> = (0..6).map(|i| i as f32 / 3.0).collect();
+        let layer = |name: &str| Layer {
+            name: name.into(),
+            channels: vec![("Z".into(), depth.clone())],
+            attributes: Vec::new(),
+        };
+        picture.layers.extend([layer(""), layer("depth")]);
+        (picture.origin, picture.full) = ([5, 7], [20, 10]);
         let path = Path::new("a.exr");
         let metadata = Metadata { software: "test".into(), rays: 7, ..Metadata::default() };
         let bytes = encode_exr(path, &picture, &metadata, float).unwrap();

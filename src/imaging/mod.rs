@@ -11,6 +11,7 @@
 //! ```
 
 mod atomic;
+mod cryptomatte;
 mod decode;
 mod error;
 mod exr_file;
@@ -22,6 +23,7 @@ mod save;
 mod transfer;
 
 pub use atomic::write_whole;
+pub use cryptomatte::cryptomatte;
 pub use decode::{Pixels, decode};
 pub use error::ImageError;
 pub use exr_file::read_exr;

@@ -7,6 +7,10 @@ pub struct Picture {
     pub width: usize,
     /// Pixels down.
     pub height: usize,
+    /// Where the upper left pixel stands in the full picture.
+    pub origin: [i32; 2],
+    /// Pixels across and down of the full picture, of which this may be a part.
+    pub full: [usize; 2],
     /// Height x width x RGBA, row-major, top row first, linear light, premultiplied.
     pub pixels: Vec<[f32; 4]>,
     /// Whether alpha means anything; otherwise it is 1 everywhere and not written.
@@ -18,10 +22,12 @@ pub struct Picture {
 /// Named channels beside the colours, each height x width.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
-    /// Prefix of the channel names in the file, as `depth` in `depth.Z`.
+    /// Prefix of the channel names in the file, as `depth` in `depth.Z`; empty for channels without.
     pub name: String,
     /// Channel suffix and values.
     pub channels: Vec<(String, Vec<f32>)>,
+    /// What the file's header says about the layer: names and texts.
+    pub attributes: Vec<(String, String)>,
 }
 
 /// What a file says about the picture beside its pixels.
@@ -42,7 +48,15 @@ pub struct Metadata {
 impl Picture {
     /// One colour everywhere.
     pub fn filled(width: usize, height: usize, pixel: [f32; 4]) -> Self {
-        Self { width, height, pixels: vec![pixel; width * height], has_alpha: false, layers: Vec::new() }
+        Self {
+            width,
+            height,
+            origin: [0, 0],
+            full: [width, height],
+            pixels: vec![pixel; width * height],
+            has_alpha: false,
+            layers: Vec::new(),
+        }
     }
 
     /// The pixel in column `x` of row `y`.

@@ -3,6 +3,7 @@
 //! Source: section 3 of the camera facts (measured, sample counts included).
 
 use super::blocks::Block;
+use super::gather::Gather;
 use super::jitter::jitter;
 use super::ray::Radiance;
 use super::tracer::Tracer;
@@ -48,7 +49,7 @@ impl Antialias {
         (x + self.jitter / cells * dx, y + self.jitter / cells * dy)
     }
 
-    fn sample(&self, tracer: &mut Tracer<'_>, x: f64, y: f64) -> Radiance {
+    fn sample<G: Gather>(&self, tracer: &mut Tracer<'_>, x: f64, y: f64) -> G {
         let (x, y) = self.displaced(x, y);
         tracer.camera_ray(x, y)
     }
@@ -69,18 +70,18 @@ impl Antialias {
     }
 
     /// Renders a block, row by row.
-    pub(super) fn block(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<Radiance> {
+    pub(super) fn block<G: Gather>(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<G> {
         match self.method {
             Method::Grid => self.grid_block(tracer, block),
             Method::Adaptive => self.adaptive_block(tracer, block),
         }
     }
 
-    fn grid_block(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<Radiance> {
+    fn grid_block<G: Gather>(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<G> {
         let Block { x: left, y: top, width, height } = *block;
         // One column and one row more, for the helpers on the left and above; they are never refined.
         let stride = width + 1;
-        let mut pixels = vec![Radiance::default(); stride * (height + 1)];
+        let mut pixels = vec![G::default(); stride * (height + 1)];
         let mut refined = vec![false; pixels.len()];
         (0..stride).for_each(|i| refined[i] = true);
         for (i, helper) in pixels[1..stride].iter_mut().enumerate() {
@@ -95,7 +96,8 @@ impl Antialias {
                 let at = j * stride + i;
                 pixels[at] = tracer.camera_ray(x, y);
                 let neighbours = [(at - 1, x - 1.0, y), (at - stride, x, y - 1.0)];
-                let differs = neighbours.map(|(other, ..)| self.differ(tracer, &pixels[at], &pixels[other]));
+                let differs =
+                    neighbours.map(|(other, ..)| self.differ(tracer, &pixels[at].light(), &pixels[other].light()));
                 for ((other, x, y), _) in neighbours.into_iter().zip(differs).filter(|(_, d)| *d) {
                     self.refine(tracer, &mut pixels[other], &mut refined[other], x, y);
                 }
@@ -108,59 +110,63 @@ impl Antialias {
     }
 
     /// Adds a grid of samples to a pixel's centre, once.
-    fn refine(&self, tracer: &mut Tracer<'_>, pixel: &mut Radiance, refined: &mut bool, x: f64, y: f64) {
+    fn refine<G: Gather>(&self, tracer: &mut Tracer<'_>, pixel: &mut G, refined: &mut bool, x: f64, y: f64) {
         if std::mem::replace(refined, true) {
             return;
         }
         let n = self.depth;
         let offset = |i: u32| -0.5 + 1.0 / f64::from(2 * n) + f64::from(i) / f64::from(n);
-        let mut sum = *pixel;
+        let mut sum = std::mem::take(pixel);
         for j in 0..n {
             for i in 0..n {
-                sum.add_scaled(self.sample(tracer, x + offset(i), y + offset(j)), 1.0);
+                sum.add_scaled(&self.sample(tracer, x + offset(i), y + offset(j)), 1.0);
             }
         }
         *pixel = sum.scaled(1.0 / (n * n + 1) as f32);
     }
 
-    fn adaptive_block(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<Radiance> {
+    fn adaptive_block<G: Gather>(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<G> {
         let Block { x: left, y: top, width, height } = *block;
         let stride = width + 1;
         let corner = |tracer: &mut Tracer<'_>, i: usize| {
             tracer.camera_ray((left + i % stride) as f64 - 0.5, (top + i / stride) as f64 - 0.5)
         };
-        let corners: Vec<Radiance> = (0..stride * (height + 1)).map(|i| corner(tracer, i)).collect();
+        let corners: Vec<G> = (0..stride * (height + 1)).map(|i| corner(tracer, i)).collect();
         let mut pixels = Vec::with_capacity(width * height);
         let mut known = FxHashMap::default();
         for j in 0..height {
             for i in 0..width {
                 known.clear();
                 let at = j * stride + i;
-                let four = [corners[at], corners[at + 1], corners[at + stride], corners[at + stride + 1]];
+                let four = [at, at + 1, at + stride, at + stride + 1].map(|i| corners[i].clone());
                 let square = Square {
                     x: (left + i) as f64 - 0.5,
                     y: (top + j) as f64 - 0.5,
                     place: [0, 0],
                     level: self.depth - 1,
                 };
-                pixels.push(self.subdivide(tracer, &square, &four, &mut known));
+                let mut pixel = self.subdivide(tracer, &square, &four, &mut known);
+                pixel.recount(four.iter().chain(known.values()));
+                pixels.push(pixel);
             }
         }
         pixels
     }
 
     /// Mean over a square of a pixel, from its corners (top left, top right, bottom left, bottom right).
-    fn subdivide(
+    fn subdivide<G: Gather>(
         &self,
         tracer: &mut Tracer<'_>,
         square: &Square,
-        corners: &[Radiance; 4],
-        known: &mut FxHashMap<[u32; 2], Radiance>,
-    ) -> Radiance {
+        corners: &[G; 4],
+        known: &mut FxHashMap<[u32; 2], G>,
+    ) -> G {
         let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
-        if square.level == 0 || !pairs.iter().any(|(a, b)| self.differ(tracer, &corners[*a], &corners[*b])) {
-            let mut mean = Radiance::default();
-            corners.iter().for_each(|c| mean.add_scaled(*c, 0.25));
+        if square.level == 0
+            || !pairs.iter().any(|(a, b)| self.differ(tracer, &corners[*a].light(), &corners[*b].light()))
+        {
+            let mut mean = G::default();
+            corners.iter().for_each(|c| mean.add_scaled(c, 0.25));
             return mean;
         }
         let half = 1u32 << (square.level - 1);
@@ -169,20 +175,21 @@ impl Antialias {
         let mut at = |dx: u32, dy: u32| {
             let place = [square.place[0] + dx * half, square.place[1] + dy * half];
             let (x, y) = (square.x + f64::from(place[0]) * cell, square.y + f64::from(place[1]) * cell);
-            *known.entry(place).or_insert_with(|| self.sample(tracer, x, y))
+            known.entry(place).or_insert_with(|| self.sample(tracer, x, y)).clone()
         };
         let (left, top, right, bottom, middle) = (at(0, 1), at(1, 0), at(2, 1), at(1, 2), at(1, 1));
         let quarters = [
-            ([0, 0], [corners[0], top, left, middle]),
-            ([1, 0], [top, corners[1], middle, right]),
-            ([0, 1], [left, middle, corners[2], bottom]),
-            ([1, 1], [middle, right, bottom, corners[3]]),
+            ([0, 0], [&corners[0], &top, &left, &middle]),
+            ([1, 0], [&top, &corners[1], &middle, &right]),
+            ([0, 1], [&left, &middle, &corners[2], &bottom]),
+            ([1, 1], [&middle, &right, &bottom, &corners[3]]),
         ];
-        let mut mean = Radiance::default();
+        let mut mean = G::default();
         for (shift, corners) in quarters {
+            let corners = corners.map(G::clone);
             let place = [square.place[0] + shift[0] * half, square.place[1] + shift[1] * half];
             let quarter = Square { place, level: square.level - 1, ..*square };
-            mean.add_scaled(self.subdivide(tracer, &quarter, &corners, known), 0.25);
+            mean.add_scaled(&self.subdivide(tracer, &quarter, &corners, known), 0.25);
         }
         mean
     }

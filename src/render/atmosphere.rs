@@ -13,6 +13,20 @@ use crate::math::{Color, DVec3, Ray, Rgb, gray};
 /// POV-Ray's own limit for ground fog that keeps its height.
 const LEVEL: f64 = 1e-10;
 
+/// What lies between a ray's origin and what it meets: light behind it is weakened, some is added.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Veil {
+    pub(super) factor: Rgb,
+    pub(super) added: Rgb,
+    /// Factor of the backdrop's share.
+    pub(super) transparency: f32,
+}
+
+impl Veil {
+    /// Nothing at all.
+    const NONE: Self = Self { factor: Rgb::ONE, added: Rgb::ZERO, transparency: 1.0 };
+}
+
 impl Tracer<'_> {
     /// What a ray sees that meets nothing.
     pub(super) fn sky(&self, path: &Path) -> Radiance {
@@ -47,17 +61,14 @@ impl Tracer<'_> {
         Radiance { rgb, transparency: gray(filter).abs().min(1.0) }
     }
 
-    /// Rainbows and fog along a ray, unless it runs inside a solid object.
-    pub(super) fn through_atmosphere(&mut self, path: &Path, length: f64, radiance: Radiance) -> Radiance {
+    /// What rainbows and fog do along a ray; `None` where there is nothing, or inside a solid object.
+    pub(super) fn veil(&mut self, path: &Path, length: f64) -> Option<Veil> {
         let atmosphere = &self.world.atmosphere;
         let empty = atmosphere.fogs.is_empty() && atmosphere.rainbows.is_empty();
         if empty || !self.options.atmosphere() || !path.interiors.iter().all(|i| i.hollow) {
-            return radiance;
+            return None;
         }
-        let mut radiance = radiance;
-        if !atmosphere.rainbows.is_empty() {
-            radiance = self.rainbows(path, length, radiance);
-        }
+        let rainbows = self.rainbows(path, length);
         let mut factor = Rgb::ONE;
         let mut added = Rgb::ZERO;
         for fog in &atmosphere.fogs {
@@ -65,13 +76,17 @@ impl Tracer<'_> {
             factor *= k * (Rgb::splat(1.0 - fog.color.filter) + fog.color.filter * fog.color.rgb);
             added += (1.0 - k) * fog.color.rgb;
         }
-        Radiance { rgb: factor * radiance.rgb + added, transparency: radiance.transparency * gray(factor) }
+        Some(Veil {
+            factor: factor * rainbows.factor,
+            added: factor * rainbows.added + added,
+            transparency: gray(factor) * rainbows.transparency,
+        })
     }
 
-    fn rainbows(&mut self, path: &Path, length: f64, radiance: Radiance) -> Radiance {
+    /// The mean of all rainbows that show in a direction.
+    fn rainbows(&mut self, path: &Path, length: f64) -> Veil {
         let world = self.world;
-        let mut sum = Rgb::ZERO;
-        let mut transparency = radiance.transparency;
+        let mut sum = Veil { factor: Rgb::ZERO, added: Rgb::ZERO, transparency: 1.0 };
         let mut n = 0.0;
         for rainbow in &world.atmosphere.rainbows {
             let jitter = if rainbow.jitter == 0.0 { 0.0 } else { rainbow.jitter * (2.0 * self.random.unit() - 1.0) };
@@ -80,12 +95,12 @@ impl Tracer<'_> {
             let floor = fade * (1.0 - color.transmit) + color.transmit;
             let k = ((-length / rainbow.distance).exp() as f32).max(floor);
             let filter = color.filter * (1.0 - k);
-            let tinted = radiance.rgb * (Rgb::splat(1.0 - filter) + filter * color.rgb);
-            sum += k * tinted + (1.0 - k) * color.rgb;
-            transparency *= k * color.transmit;
+            sum.factor += k * (Rgb::splat(1.0 - filter) + filter * color.rgb);
+            sum.added += (1.0 - k) * color.rgb;
+            sum.transparency *= k * color.transmit;
             n += 1.0;
         }
-        if n == 0.0 { radiance } else { Radiance { rgb: sum / n, transparency } }
+        if n == 0.0 { Veil::NONE } else { Veil { factor: sum.factor / n, added: sum.added / n, ..sum } }
     }
 }
 

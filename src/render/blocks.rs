@@ -1,6 +1,8 @@
 //! The picture in blocks, on all cores, in an order that does not depend on them.
 
-use super::Options;
+use super::antialias::Method;
+use super::gather::{Detail, Gather};
+use super::options::{Options, Region};
 use super::ray::{Radiance, Statistics};
 use super::tracer::Tracer;
 use crate::compiled::World;
@@ -22,7 +24,7 @@ pub struct Rendered {
     pub statistics: Statistics,
 }
 
-/// A rectangle of pixels.
+/// A rectangle of pixels that is worked on at once.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block {
     pub(super) x: usize,
@@ -31,12 +33,36 @@ pub(super) struct Block {
     pub(super) height: usize,
 }
 
-/// Renders the whole picture.
+/// Renders the picture, or the part of it that is asked for.
 ///
-/// `options.threads` workers; the result is the same bits for any number of them.
+/// `options.threads` workers; the result is the same bits for any number of them, and a part's pixels are
+/// those of the whole picture.
 pub fn render(world: &World, options: &Options, progress: Progress<'_>) -> Rendered {
-    let blocks = blocks(options);
-    let work = || -> Vec<(Vec<Radiance>, Statistics)> {
+    if options.layers.is_empty() {
+        let (pixels, statistics) = render_pixels::<Radiance>(world, options, progress);
+        return Rendered { picture: picture(world, options, &pixels), statistics };
+    }
+    let (pixels, statistics) = render_pixels::<Detail>(world, options, progress);
+    let mut picture = picture(world, options, &pixels);
+    picture.layers = options.layers.iter().flat_map(|layer| layer.build(world, &pixels)).collect();
+    Rendered { picture, statistics }
+}
+
+fn picture<G: Gather>(world: &World, options: &Options, pixels: &[G]) -> Picture {
+    let window = options.window();
+    let mut picture = Picture::filled(window.width(), window.height(), [0.0, 0.0, 0.0, 1.0]);
+    picture.origin = [window.left as i32, window.top as i32];
+    picture.full = [options.width, options.height];
+    picture.has_alpha = options.alpha;
+    picture.pixels.iter_mut().zip(pixels).for_each(|(out, pixel)| *out = encoded(world, options, &pixel.light()));
+    picture
+}
+
+/// The window's pixels, row by row.
+fn render_pixels<G: Gather>(world: &World, options: &Options, progress: Progress<'_>) -> (Vec<G>, Statistics) {
+    let window = options.window();
+    let blocks = blocks(&window);
+    let work = || -> Vec<(Vec<G>, Statistics)> {
         blocks
             .par_iter()
             .map_init(
@@ -56,34 +82,56 @@ pub fn render(world: &World, options: &Options, progress: Progress<'_>) -> Rende
         // Without threads of our own the common ones must do.
         Err(_) => work(),
     };
-    let mut picture = Picture::filled(options.width, options.height, [0.0, 0.0, 0.0, 1.0]);
-    picture.has_alpha = options.alpha;
+    let mut all = vec![G::default(); window.width() * window.height()];
     let mut statistics = Statistics::default();
     for (block, (pixels, counts)) in blocks.iter().zip(finished) {
         statistics = statistics.plus(counts);
-        for (row, values) in pixels.chunks(block.width).enumerate() {
-            let first = (block.y + row) * options.width + block.x;
-            let out = &mut picture.pixels[first..first + block.width];
-            out.iter_mut().zip(values).for_each(|(out, value)| *out = encoded(world, options, value));
+        let mut pixels = pixels.into_iter();
+        for y in block.y..block.y + block.height {
+            let first = (y - window.top) * window.width() + block.x - window.left;
+            all[first..first + block.width].iter_mut().zip(&mut pixels).for_each(|(out, pixel)| *out = pixel);
         }
     }
-    Rendered { picture, statistics }
+    (all, statistics)
 }
 
-fn blocks(options: &Options) -> Vec<Block> {
-    let (w, h) = (options.width, options.height);
-    let starts = |size: usize| (0..size).step_by(BLOCK);
-    starts(h)
-        .flat_map(|y| starts(w).map(move |x| Block { x, y, width: BLOCK.min(w - x), height: BLOCK.min(h - y) }))
-        .collect()
+/// The window cut along the lines of the full picture's blocks.
+fn blocks(window: &Region) -> Vec<Block> {
+    let cuts = |from: usize, to: usize| {
+        let inner = (from / BLOCK + 1..).map(|i| i * BLOCK).take_while(move |cut| *cut < to);
+        let starts: Vec<usize> = std::iter::once(from).chain(inner).filter(|cut| *cut < to).collect();
+        let ends: Vec<usize> = starts.iter().skip(1).copied().chain([to]).collect();
+        starts.into_iter().zip(ends).collect::<Vec<_>>()
+    };
+    let columns = cuts(window.left, window.right);
+    let rows = cuts(window.top, window.bottom);
+    let block = |(y, bottom): (usize, usize)| {
+        columns.iter().map(move |&(x, right)| Block { x, y, width: right - x, height: bottom - y })
+    };
+    rows.into_iter().flat_map(block).collect()
 }
 
-fn render_block(tracer: &mut Tracer<'_>, options: &Options, block: &Block) -> Vec<Radiance> {
-    if let Some(antialias) = &options.antialias {
+fn render_block<G: Gather>(tracer: &mut Tracer<'_>, options: &Options, block: &Block) -> Vec<G> {
+    let Some(antialias) = &options.antialias else {
+        let pixels =
+            (block.y..block.y + block.height).flat_map(|y| (block.x..block.x + block.width).map(move |x| (x, y)));
+        return pixels.map(|(x, y)| tracer.camera_ray(x as f64, y as f64)).collect();
+    };
+    if antialias.method == Method::Adaptive {
         return antialias.block(tracer, block);
     }
-    let pixels = (block.y..block.y + block.height).flat_map(|y| (block.x..block.x + block.width).map(move |x| (x, y)));
-    pixels.map(|(x, y)| tracer.camera_ray(x as f64, y as f64)).collect()
+    // Pixels above and to the left decide whether one is refined, and so do its neighbours on the right and below.
+    let (x, y) = (block.x / BLOCK * BLOCK, block.y / BLOCK * BLOCK);
+    let end = |from: usize, to: usize, size: usize| (to + 1).min(from + BLOCK).min(size);
+    let (right, bottom) =
+        (end(x, block.x + block.width, options.width), end(y, block.y + block.height, options.height));
+    let around = Block { x, y, width: right - x, height: bottom - y };
+    let pixels = antialias.block(tracer, &around);
+    let inside = |i: &usize| {
+        let (column, row) = (x + i % around.width, y + i / around.width);
+        (block.x..block.x + block.width).contains(&column) && (block.y..block.y + block.height).contains(&row)
+    };
+    pixels.into_iter().enumerate().filter(|(i, _)| inside(i)).map(|(_, pixel)| pixel).collect()
 }
 
 /// Working values to linear light.

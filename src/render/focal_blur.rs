@@ -3,6 +3,7 @@
 //! Source: section 2 of the camera facts (measured).
 
 use super::camera::RawRay;
+use super::gather::Gather;
 use super::jitter::{jitter, shuffled};
 use super::random::Random;
 use super::ray::Radiance;
@@ -23,20 +24,21 @@ pub(super) struct Lens {
 
 impl Tracer<'_> {
     /// Mean over the lens at an image position.
-    pub(super) fn blurred(&mut self, blur: &FocalBlur, x: f64, y: f64) -> Radiance {
-        let Some(lens) = self.lens.as_ref().map(Rc::clone) else { return Radiance::BLACK };
+    pub(super) fn blurred<G: Gather>(&mut self, blur: &FocalBlur, x: f64, y: f64) -> G {
+        let Some(lens) = self.lens.as_ref().map(Rc::clone) else { return G::default() };
         let n_max = lens.points.len();
         let base = (313.0 * x + 11.0).trunc() as i64 + (311.0 * y + 17.0).trunc() as i64;
         let mut sums = [[0.0f64; 2]; 4];
-        let mut sum = Radiance::default();
+        let mut sum = G::default();
         let mut n = 0;
         for batch in batches(n_max) {
             for _ in 0..batch {
-                let (ray, light) =
-                    (self.lens_ray(blur, &lens, x, y, n, base), Radiance { transparency: 1.0, ..Radiance::BLACK });
-                let light = ray.map_or(light, |ray| self.follow(ray));
-                if ray.is_some() {
-                    sum.add_scaled(light, 1.0);
+                // A lens ray that does not exist counts as clear where samples are compared, but adds nothing.
+                let mut light = Radiance::CLEAR;
+                if let Some(ray) = self.lens_ray(blur, &lens, x, y, n, base) {
+                    let found: G = self.follow(ray, f64::INFINITY);
+                    light = found.light();
+                    sum.add_scaled(&found, 1.0);
                 }
                 let values = [light.rgb.x, light.rgb.y, light.rgb.z, light.transparency];
                 for (s, v) in sums.iter_mut().zip(values.map(f64::from)) {

@@ -3,11 +3,12 @@
 //! Source: sections 2 and 6 of the shading facts (measured).
 
 use super::finish::{self, Reflectivity};
-use super::lights::LightCache;
+use super::gather::{Gather, Term};
+use super::lights::{LightCache, Skin};
 use super::ray::{Path, Radiance};
 use super::tracer::Tracer;
 use crate::compiled::geometry::Surface;
-use crate::compiled::texture::{Context, Frame, Layer, Pick, Texture};
+use crate::compiled::texture::{Context, Finish, Frame, Layer, Pick, Texture};
 use crate::math::{Color, DVec3, Rgb, gray};
 use smallvec::SmallVec;
 
@@ -59,14 +60,14 @@ impl Tracer<'_> {
     /// The light from a texture at a point of its containing space.
     ///
     /// `plain` holds for textures that no pattern chose; only those obey legacy finish keywords.
-    pub(super) fn shade_texture(
+    pub(super) fn shade_texture<G: Gather>(
         &mut self,
         texture: &Texture,
         point: DVec3,
         frame: &Frame,
         place: &mut Place<'_, '_>,
         plain: bool,
-    ) -> Radiance {
+    ) -> G {
         let patterned = match texture {
             Texture::Layers(layers) => return self.shade_layers(layers, point, frame, place, plain),
             Texture::Patterned(patterned) => patterned,
@@ -78,35 +79,36 @@ impl Tracer<'_> {
         match pick {
             Pick::One(item) => self.shade_texture(item, point, &frame, place, false),
             Pick::Two(lower, upper, t) => {
-                let mut mixed = self.shade_texture(upper, point, &frame, place, false).scaled(t);
-                mixed.add_scaled(self.shade_texture(lower, point, &frame, place, false), 1.0 - t);
+                let mut mixed = self.shade_texture::<G>(upper, point, &frame, place, false).scaled(t);
+                mixed.add_scaled(&self.shade_texture(lower, point, &frame, place, false), 1.0 - t);
                 mixed
             }
             Pick::All(items) => {
-                let mut sum = Radiance::BLACK;
+                let mut sum = G::default();
                 for (weight, item) in items {
-                    sum.add_scaled(self.shade_texture(item, point, &frame, place, false), *weight);
+                    sum.add_scaled(&self.shade_texture(item, point, &frame, place, false), *weight);
                 }
                 sum
             }
         }
     }
 
-    fn shade_layers(
+    fn shade_layers<G: Gather>(
         &mut self,
         layers: &[Layer],
         point: DVec3,
         frame: &Frame,
         place: &mut Place<'_, '_>,
         plain: bool,
-    ) -> Radiance {
+    ) -> G {
         let bailout = self.world.settings.adc_bailout;
         let legacy = layers.last().filter(|_| plain).map(|top| &top.finish);
         let substance = self.substance(place.surface, legacy);
         let relative_ior = super::refraction::relative_ior(&place.path.interiors, &substance);
         let mut mirrors: SmallVec<[Mirror<'_>; 2]> = SmallVec::new();
         let mut filter = Rgb::ONE;
-        let mut sum = Rgb::ZERO;
+        let mut found = G::default();
+        let mut albedo = Rgb::ZERO;
         let mut top_normal = place.facing;
         for (depth, layer) in layers.iter().rev().enumerate() {
             if share(filter) <= bailout {
@@ -116,18 +118,24 @@ impl Tracer<'_> {
             if depth == 0 {
                 top_normal = normal;
             }
-            let found = self.layer_color(layer, point, normal, place);
-            let color = found.unwrap_or_default();
+            let pigment = self.layer_color(layer, point, normal, place);
+            let color = pigment.unwrap_or_default();
             if self.options.flat() {
-                return Radiance { rgb: color.rgb, transparency: 0.0 };
+                found.add(Term::Emission, Radiance { rgb: color.rgb, transparency: 0.0 });
+                found.note_shading(normal, color.rgb);
+                return found;
             }
             let cosine = -place.direction().dot(normal);
             let reflectivity = finish::reflectivity(&layer.finish, color.rgb, cosine, relative_ior);
             if let Some(reflectivity) = reflectivity {
                 mirrors.push(Mirror { layer, normal, reflectivity, visibility: share(filter) });
             }
-            sum += filter * self.own_light(layer, normal, &color, place);
-            if let Some(color) = found {
+            let skin = self.skin(&layer.finish, normal, color);
+            let emission = color.rgb * layer.finish.own_light * skin.opacity;
+            let direct = if layer.finish.uses_lights { self.direct_light(&skin, place) } else { Rgb::ZERO };
+            found.add_own(filter, emission, direct);
+            albedo += filter * color.rgb * skin.opacity;
+            if let Some(color) = pigment {
                 filter *= color.transmittance();
                 if layer.finish.conserve_energy {
                     let reflected = reflectivity.map_or(Rgb::ZERO, |r| r.tint);
@@ -135,22 +143,24 @@ impl Tracer<'_> {
                 }
             }
         }
-        let mut radiance = Radiance { rgb: sum, transparency: 0.0 };
+        found.note_shading(top_normal, albedo);
         let mut mirrored_within = None;
         if share(filter) > bailout && self.options.refraction() {
             let top_finish = layers.last().map(|top| &top.finish);
             let through = self.transmit(place, &substance, top_normal, filter, top_finish);
-            radiance.add_scaled(through.radiance, 1.0);
+            let term = if through.total_reflection { Term::Reflection } else { Term::Refraction };
+            found.add(term, through.radiance);
             mirrored_within = through.total_reflection.then_some(top_normal);
         }
         if self.options.reflection_and_normals() {
             // POV-Ray's own limit for normals that agree.
             let same = |a: DVec3, b: DVec3| (a - b).abs().max_element() < 1e-10;
             for mirror in mirrors.iter().filter(|m| !mirrored_within.is_some_and(|n| same(n, m.normal))) {
-                radiance.rgb += self.mirror(mirror, place);
+                let rgb = self.mirror(mirror, place);
+                found.add(Term::Reflection, Radiance { rgb, transparency: 0.0 });
             }
         }
-        radiance
+        found
     }
 
     fn layer_normal(&self, layer: &Layer, point: DVec3, frame: &Frame, place: &Place<'_, '_>) -> DVec3 {
@@ -169,19 +179,14 @@ impl Tracer<'_> {
         layer.pigment.color(point, &Context { perturbed_normal: normal, ..place.context })
     }
 
-    /// Ambient, emission and what lights add, by one layer.
-    fn own_light(&mut self, layer: &Layer, normal: DVec3, color: &Color, place: &mut Place<'_, '_>) -> Rgb {
+    /// A layer as light meets it.
+    fn skin<'f>(&self, finish: &'f Finish, normal: DVec3, color: Color) -> Skin<'f> {
         let opacity = if self.world.settings.legacy_opacity {
             1.0 - color.filter * color.rgb.max_element() - color.transmit
         } else {
             color.opacity()
         };
-        let own = color.rgb * layer.finish.own_light * opacity;
-        if layer.finish.uses_lights {
-            own + self.direct_light(&layer.finish, normal, color, opacity, place)
-        } else {
-            own
-        }
+        Skin { finish, normal, rgb: color.rgb, opacity }
     }
 
     /// One layer's mirror image.

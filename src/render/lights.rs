@@ -5,9 +5,9 @@
 use super::finish::{self, Incidence};
 use super::layers::Place;
 use super::tracer::Tracer;
-use crate::compiled::light::{Arrival, Light, is_dark};
+use crate::compiled::light::{Area, Arrival, Light, is_dark};
 use crate::compiled::texture::Finish;
-use crate::math::{Color, DVec3, Rgb};
+use crate::math::{DVec3, Rgb};
 use smallvec::SmallVec;
 
 /// POV-Ray's cosine below which a surface is turned away from a light.
@@ -30,16 +30,34 @@ impl LightCache {
     }
 }
 
+/// One layer of a texture as light meets it.
+pub(super) struct Skin<'f> {
+    pub(super) finish: &'f Finish,
+    /// Unit perturbed normal.
+    pub(super) normal: DVec3,
+    /// The pigment's colour.
+    pub(super) rgb: Rgb,
+    /// What part of the layer is not see-through.
+    pub(super) opacity: f32,
+}
+
+/// Light that falls on a layer from one direction.
+struct Beam {
+    /// Unit direction to the light.
+    direction: DVec3,
+    /// Cosine between normal and light, not negative.
+    cosine: f64,
+    /// It falls on the far side.
+    back: bool,
+    /// The light gives highlights.
+    highlights: bool,
+    /// Its colour after shadows and attenuation.
+    rgb: Rgb,
+}
+
 impl Tracer<'_> {
     /// Diffuse light and highlights from all lights that shine on the surface.
-    pub(super) fn direct_light(
-        &mut self,
-        finish: &Finish,
-        normal: DVec3,
-        color: &Color,
-        opacity: f32,
-        place: &mut Place<'_, '_>,
-    ) -> Rgb {
+    pub(super) fn direct_light(&mut self, skin: &Skin<'_>, place: &mut Place<'_, '_>) -> Rgb {
         let world = self.world;
         let mut sum = Rgb::ZERO;
         for index in world.lights_for(place.surface.light_group) {
@@ -48,11 +66,11 @@ impl Tracer<'_> {
             let arrival = *entry.arrival.get_or_insert_with(|| light.arrival(place.surface.point, light.location));
             let known = entry.shadowed;
             let sampled = light.area.filter(|a| a.illumination && self.options.area_lights());
-            let lit = lit_side(finish, light, arrival.direction.dot(normal), place);
+            let lit = lit_side(skin, light, arrival.direction, place);
             if sampled.is_none() && (is_dark(arrival.color) || lit.is_none()) {
                 continue;
             }
-            let incoming = match known {
+            let rgb = match known {
                 Some(known) => known,
                 None => {
                     let found = self.shadowed(place, light, &arrival, sampled.is_some());
@@ -60,77 +78,50 @@ impl Tracer<'_> {
                     found
                 }
             };
-            if is_dark(incoming) {
+            if is_dark(rgb) {
                 continue;
             }
             let answer = match (sampled, lit) {
-                (Some(area), _) => self.area_answer(finish, normal, color, opacity, place, light, &area, incoming),
-                (None, Some(side)) => {
-                    self.answer(finish, normal, color, opacity, place, light, arrival.direction, side, incoming)
-                }
+                (Some(area), _) => self.area_answer(skin, place, light, &area, rgb),
+                (None, Some(beam)) => self.answer(skin, place, &Beam { rgb, ..beam }),
                 (None, None) => Rgb::ZERO,
             };
-            sum += if finish.irid_amount == 0.0 {
-                answer
-            } else {
-                let wavelength = world.settings.irid_wavelength;
-                answer
-                    * finish::irid(
-                        finish,
-                        wavelength,
-                        place.surface.point,
-                        arrival.direction,
-                        normal,
-                        place.direction(),
-                    )
-            };
+            sum += answer * self.film(skin, place, arrival.direction);
         }
         sum
     }
 
+    /// What a thin film makes of light from a direction; 1 without one.
+    fn film(&self, skin: &Skin<'_>, place: &Place<'_, '_>, direction: DVec3) -> Rgb {
+        if skin.finish.irid_amount == 0.0 {
+            return Rgb::ONE;
+        }
+        let wavelength = self.world.settings.irid_wavelength;
+        finish::irid(skin.finish, wavelength, place.surface.point, direction, skin.normal, place.direction())
+    }
+
     /// What a layer makes of light from one direction.
-    #[allow(clippy::too_many_arguments, reason = "one formula over the layer, the light and where they meet")]
-    fn answer(
-        &mut self,
-        finish: &Finish,
-        normal: DVec3,
-        color: &Color,
-        opacity: f32,
-        place: &Place<'_, '_>,
-        light: &Light,
-        direction: DVec3,
-        (cosine, back): (f64, bool),
-        incoming: Rgb,
-    ) -> Rgb {
+    fn answer(&mut self, skin: &Skin<'_>, place: &Place<'_, '_>, beam: &Beam) -> Rgb {
+        let finish = skin.finish;
         let mut answer = Rgb::ZERO;
-        let amount = if back { finish.diffuse_back } else { finish.diffuse };
+        let amount = if beam.back { finish.diffuse_back } else { finish.diffuse };
         if amount > 0.0 {
-            let mut diffuse = amount * opacity * finish::brilliance(finish, cosine);
+            let mut diffuse = amount * skin.opacity * finish::brilliance(finish, beam.cosine);
             if finish.crand != 0.0 {
                 diffuse -= finish.crand * self.random.unit() as f32;
             }
-            answer += diffuse * color.rgb;
+            answer += diffuse * skin.rgb;
         }
-        if !back && !light.shadowless {
-            let at = Incidence { view: place.direction(), light: direction, normal, cosine };
-            answer += finish::highlights(finish, &at, color.rgb);
+        if beam.highlights {
+            let at =
+                Incidence { view: place.direction(), light: beam.direction, normal: skin.normal, cosine: beam.cosine };
+            answer += finish::highlights(finish, &at, skin.rgb);
         }
-        answer * incoming
+        answer * beam.rgb
     }
 
     /// Each sample of an area light shades by itself; all share one shadow, as in POV-Ray.
-    #[allow(clippy::too_many_arguments, reason = "one formula over the layer, the light and where they meet")]
-    fn area_answer(
-        &mut self,
-        finish: &Finish,
-        normal: DVec3,
-        color: &Color,
-        opacity: f32,
-        place: &Place<'_, '_>,
-        light: &Light,
-        area: &crate::compiled::light::Area,
-        shadow: Rgb,
-    ) -> Rgb {
+    fn area_answer(&mut self, skin: &Skin<'_>, place: &Place<'_, '_>, light: &Light, area: &Area, shadow: Rgb) -> Rgb {
         let point = place.surface.point;
         let axes = area.axes((light.location - point).normalize_or(DVec3::Z));
         let mut sum = Rgb::ZERO;
@@ -141,11 +132,11 @@ impl Tracer<'_> {
                 if is_dark(arrival.color) {
                     continue;
                 }
-                if let Some(side) = lit_side(finish, light, arrival.direction.dot(normal), place) {
+                if let Some(beam) = lit_side(skin, light, arrival.direction, place) {
                     // The shadow carries the light's colour; what is left is cone and fade.
                     let factor = ratio(arrival.color, light.color);
-                    let incoming = shadow * factor / (area.n1 * area.n2) as f32;
-                    sum += self.answer(finish, normal, color, opacity, place, light, arrival.direction, side, incoming);
+                    let rgb = shadow * factor / (area.n1 * area.n2) as f32;
+                    sum += self.answer(skin, place, &Beam { rgb, ..beam });
                 }
             }
         }
@@ -153,7 +144,7 @@ impl Tracer<'_> {
     }
 
     /// Grid position of a sample, displaced at random if the light says so.
-    pub(super) fn jittered(&mut self, area: &crate::compiled::light::Area, i: usize, j: usize) -> (f64, f64) {
+    pub(super) fn jittered(&mut self, area: &Area, i: usize, j: usize) -> (f64, f64) {
         let (mut a, mut b) = (i as f64, j as f64);
         if area.jitter {
             a += self.random.unit() - 0.5;
@@ -169,16 +160,14 @@ fn ratio(color: Rgb, of: Rgb) -> f32 {
     color[largest] / of[largest]
 }
 
-/// The cosine of incidence and whether the light falls on the far side; `None` if the surface stays dark.
-fn lit_side(finish: &Finish, light: &Light, cosine: f64, place: &Place<'_, '_>) -> Option<(f64, bool)> {
-    if cosine >= TURNED_AWAY {
-        return Some((cosine, false));
+/// How light from a direction falls on a layer, still without its colour; `None` if the surface stays dark.
+fn lit_side(skin: &Skin<'_>, light: &Light, direction: DVec3, place: &Place<'_, '_>) -> Option<Beam> {
+    let cosine = direction.dot(skin.normal);
+    let front = cosine >= TURNED_AWAY || place.surface.double_illuminate;
+    let back = !front && skin.finish.diffuse_back != 0.0;
+    if !front && !back && !light.two_sided {
+        return None;
     }
-    if place.surface.double_illuminate {
-        return Some((cosine.abs(), false));
-    }
-    if finish.diffuse_back != 0.0 {
-        return Some((cosine.abs(), true));
-    }
-    light.two_sided.then_some((cosine.abs(), false))
+    let highlights = !back && !light.shadowless;
+    Some(Beam { direction, cosine: cosine.abs(), back, highlights, rgb: Rgb::ZERO })
 }

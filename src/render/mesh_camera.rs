@@ -2,24 +2,22 @@
 //!
 //! Source: section 1.5 of the camera facts (measured); the quirks of rows are POV-Ray's.
 
-use super::ray::Radiance;
-use super::tracer::Tracer;
+use super::gather::Gather;
+use super::tracer::{Tracer, nothing};
 use crate::compiled::mesh_camera::{MeshCamera, MeshDistribution, MeshFace};
 use crate::math::{DVec2, DVec3, Ray};
 
 impl Tracer<'_> {
     /// The light through an image position: the mean over the rays that exist.
-    pub(super) fn mesh_camera_ray(&mut self, mesh: &MeshCamera, x: f64, y: f64) -> Radiance {
+    pub(super) fn mesh_camera_ray<G: Gather>(&mut self, mesh: &MeshCamera, x: f64, y: f64) -> G {
         let rays = self.mesh_rays(mesh, x, y);
-        let mut sum = Radiance { transparency: 0.0, ..Radiance::BLACK };
+        let mut sum = G::default();
         for ray in &rays {
-            let light = self.follow_up_to(*ray, mesh.max_distance);
-            sum.rgb += light.rgb;
-            sum.transparency += light.transparency;
+            sum.add_scaled(&self.follow(*ray, mesh.max_distance), 1.0);
         }
         match rays.len() {
-            0 => Radiance { transparency: 1.0, ..Radiance::BLACK },
-            n => Radiance { rgb: sum.rgb / n as f32, transparency: sum.transparency / n as f32 },
+            0 => nothing(),
+            n => sum.scaled(1.0 / n as f32),
         }
     }
 

@@ -1,6 +1,6 @@
 //! What the user may choose about a picture of a world.
 
-use super::Antialias;
+use super::{Antialias, ImageLayer};
 
 /// Choices that are not part of the scene.
 #[derive(Clone, Debug)]
@@ -17,9 +17,49 @@ pub struct Options {
     pub alpha: bool,
     /// Worker threads; 0 for one for each core.
     pub threads: usize,
+    /// The part of the picture to render; its pixels are those of the whole picture.
+    pub region: Option<Region>,
+    /// What is written beside the picture.
+    pub layers: Vec<ImageLayer>,
+}
+
+/// A rectangle of pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Region {
+    /// First column.
+    pub left: usize,
+    /// First row.
+    pub top: usize,
+    /// Column behind the last.
+    pub right: usize,
+    /// Row behind the last.
+    pub bottom: usize,
+}
+
+impl Region {
+    /// Pixels across.
+    pub fn width(&self) -> usize {
+        self.right.saturating_sub(self.left)
+    }
+
+    /// Pixels down.
+    pub fn height(&self) -> usize {
+        self.bottom.saturating_sub(self.top)
+    }
 }
 
 impl Options {
+    /// The part to render: the region within the picture, or all of it.
+    pub fn window(&self) -> Region {
+        let all = Region { left: 0, top: 0, right: self.width, bottom: self.height };
+        self.region.map_or(all, |r| Region {
+            left: r.left.min(self.width),
+            top: r.top.min(self.height),
+            right: r.right.min(self.width),
+            bottom: r.bottom.min(self.height),
+        })
+    }
+
     /// Quick colours instead of pigments.
     pub(super) fn quick_colors(&self) -> bool {
         self.quality <= 5
@@ -53,6 +93,15 @@ impl Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { width: 320, height: 240, antialias: None, quality: 9, alpha: false, threads: 0 }
+        Self {
+            width: 320,
+            height: 240,
+            antialias: None,
+            quality: 9,
+            alpha: false,
+            threads: 0,
+            region: None,
+            layers: Vec::new(),
+        }
     }
 }

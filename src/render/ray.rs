@@ -64,15 +64,8 @@ pub struct Statistics {
 impl Radiance {
     /// What a refused ray gives.
     pub(super) const BLACK: Self = Self { rgb: Rgb::ZERO, transparency: 0.0 };
-
-    pub(super) fn add_scaled(&mut self, other: Self, weight: f32) {
-        self.rgb += weight * other.rgb;
-        self.transparency += weight * other.transparency;
-    }
-
-    pub(super) fn scaled(self, weight: f32) -> Self {
-        Self { rgb: weight * self.rgb, transparency: weight * self.transparency }
-    }
+    /// What a picture shows where the camera sends no ray.
+    pub(super) const CLEAR: Self = Self { rgb: Rgb::ZERO, transparency: 1.0 };
 }
 
 impl Statistics {

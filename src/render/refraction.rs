@@ -4,6 +4,7 @@
 
 use super::dispersion;
 use super::finish;
+use super::gather::Gather;
 use super::layers::{Place, reflected};
 use super::ray::{Inside, Interiors, Path, Radiance};
 use super::tracer::Tracer;

@@ -2,6 +2,7 @@
 
 use super::camera::RawRay;
 use super::focal_blur::Lens;
+use super::gather::{Gather, Term};
 use super::layers::Place;
 use super::options::Options;
 use super::random::Random;
@@ -60,7 +61,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The light through a continuous image position, pixel centres being integers.
-    pub(super) fn camera_ray(&mut self, x: f64, y: f64) -> Radiance {
+    pub(super) fn camera_ray<G: Gather>(&mut self, x: f64, y: f64) -> G {
         self.random = Random::at(x, y);
         let camera = &self.world.camera;
         if let Some(blur) = &camera.blur {
@@ -70,18 +71,13 @@ impl<'w> Tracer<'w> {
             return self.mesh_camera_ray(mesh, x, y);
         }
         match RawRay::through(camera, x, y, self.options.width, self.options.height) {
-            Some(raw) => self.follow(raw.finish(camera)),
-            None => Radiance { transparency: 1.0, ..Radiance::BLACK },
+            Some(raw) => self.follow(raw.finish(camera), f64::INFINITY),
+            None => nothing(),
         }
     }
 
-    /// Follows a ray that starts at the camera; its direction is a unit vector.
-    pub(super) fn follow(&mut self, ray: Ray) -> Radiance {
-        self.follow_up_to(ray, f64::INFINITY)
-    }
-
-    /// Follows a ray from the camera that sees no farther than `far`.
-    pub(super) fn follow_up_to(&mut self, ray: Ray, far: f64) -> Radiance {
+    /// Follows a ray that starts at the camera and sees no farther than `far`; its direction is a unit vector.
+    pub(super) fn follow<G: Gather>(&mut self, ray: Ray, far: f64) -> G {
         self.statistics.camera_rays += 1;
         let interiors = match &self.camera_interiors {
             Some(known) => known.clone(),
@@ -89,7 +85,9 @@ impl<'w> Tracer<'w> {
         };
         let range = Range { min: CAMERA_NEAR, max: far };
         let kind = RayKind::Camera;
-        self.trace(&Path { ray, range, kind, level: 1, weight: 1.0, interiors, wavelength: None })
+        let mut found: G = self.trace(&Path { ray, range, kind, level: 1, weight: 1.0, interiors, wavelength: None });
+        found.note_sample();
+        found
     }
 
     fn interiors_at(&self, point: DVec3) -> Interiors {
@@ -106,19 +104,29 @@ impl<'w> Tracer<'w> {
     }
 
     /// The light that comes along a ray, towards its origin.
-    pub(super) fn trace(&mut self, path: &Path) -> Radiance {
+    pub(super) fn trace<G: Gather>(&mut self, path: &Path) -> G {
         if path.weight < self.world.settings.adc_bailout {
-            return Radiance::BLACK;
+            return G::default();
         }
         let hit = self.world.geometry.intersect(&path.ray, path.range, path.kind, &mut self.scratch);
-        let (radiance, length) = match &hit {
-            Some(hit) => (self.shade(path, hit), hit.t),
-            None => (self.sky(path), MISS_LENGTH),
+        let mut found = G::default();
+        let length = match &hit {
+            Some(hit) => {
+                self.shade(path, hit, &mut found);
+                hit.t
+            }
+            None => {
+                found.add(Term::Background, self.sky(path));
+                MISS_LENGTH
+            }
         };
-        self.through_atmosphere(path, length, radiance)
+        if let Some(veil) = self.veil(path, length) {
+            found.veil(&veil);
+        }
+        found
     }
 
-    fn shade(&mut self, path: &Path, hit: &Hit) -> Radiance {
+    fn shade<G: Gather>(&mut self, path: &Path, hit: &Hit, found: &mut G) {
         let world = self.world;
         let surface = world.geometry.surface(&path.ray, hit);
         let direction = path.ray.direction;
@@ -126,21 +134,27 @@ impl<'w> Tracer<'w> {
         let context =
             Context { uv: surface.uv, normal: facing, perturbed_normal: facing, direction, point: surface.point };
         let mut place = Place::new(path, &surface, facing, context, hit.t, world.lights.len());
-        let mut radiance = Radiance::BLACK;
         for seen in &surface.textures {
             if seen.weight < world.settings.adc_bailout {
                 continue;
             }
             let texture = world.texture(seen.texture);
-            let shaded = if surface.uv_mapping {
+            let shaded: G = if surface.uv_mapping {
                 self.shade_texture(texture, context.uv_point(), &Frame::default(), &mut place, true)
             } else {
                 let point = seen.texture_from_world.point(surface.point);
                 let frame = Frame::new(&seen.texture_from_world);
                 self.shade_texture(texture, point, &frame, &mut place, true)
             };
-            radiance.add_scaled(shaded, seen.weight);
+            found.add_scaled(&shaded, seen.weight);
         }
-        radiance
+        found.note_hit(&surface, hit.t, facing);
     }
+}
+
+/// What an image position gives through which the camera sends no ray.
+pub(super) fn nothing<G: Gather>() -> G {
+    let mut nothing = G::default();
+    nothing.add(Term::Background, Radiance::CLEAR);
+    nothing
 }

@@ -115,6 +115,46 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// The word for this kind of shape.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Sphere { .. } => "sphere",
+            Self::Box { .. } => "box",
+            Self::Cylinder { .. } => "cylinder",
+            Self::Cone { .. } => "cone",
+            Self::Plane { .. } => "plane",
+            Self::Disc { .. } => "disc",
+            Self::Torus { .. } => "torus",
+            Self::Ovus { .. } => "ovus",
+            Self::Quadric { .. } => "quadric",
+            Self::Polynomial { .. } => "poly",
+            Self::Superellipsoid { .. } => "superellipsoid",
+            Self::Polygon { .. } => "polygon",
+            Self::Triangle { .. } => "triangle",
+            Self::SmoothTriangle { .. } => "smooth_triangle",
+            Self::Mesh(_) => "mesh",
+            Self::HeightField(_) => "height_field",
+            Self::Blob(_) => "blob",
+            Self::BicubicPatch(_) => "bicubic_patch",
+            Self::Prism(_) => "prism",
+            Self::Lathe { .. } => "lathe",
+            Self::Sor { .. } => "sor",
+            Self::SphereSweep { .. } => "sphere_sweep",
+            Self::Text(_) => "text",
+            Self::Isosurface(_) => "isosurface",
+            Self::Parametric(_) => "parametric",
+            Self::JuliaFractal(_) => "julia_fractal",
+            Self::Csg { operation, .. } => match operation {
+                CsgOperation::Union => "union",
+                CsgOperation::Intersection => "intersection",
+                CsgOperation::Difference => "difference",
+                CsgOperation::Merge => "merge",
+            },
+            Self::LightSource(_) => "light_source",
+            Self::LightGroup { .. } => "light_group",
+        }
+    }
+
     /// The objects that a group is made of; none for anything else.
     pub fn children(&self) -> &[Arc<Object>] {
         match self {
@@ -286,6 +326,18 @@ pub struct Isosurface {
     pub max_trace: u32,
     /// Not capped by the container.
     pub open: bool,
+    /// How the surface is looked for.
+    pub search: IsosurfaceSearch,
+}
+
+/// What a search for an isosurface may leave out. The caller's choice, not the file's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum IsosurfaceSearch {
+    /// What bounds of the function rule out, as far as they are known.
+    #[default]
+    Guaranteed,
+    /// What `max_gradient` rules out, true or not.
+    PovRay,
 }
 
 /// A surface given by three functions of (u, v).

@@ -24,6 +24,31 @@ fn diffuse_light() {
 }
 
 #[test]
+fn crand_is_even_noise() {
+    // Each pixel's diffuse share is 1 - 0.4 ξ with ξ uniform in 0..1, for each light anew.
+    let scene = |lights: u32| {
+        let light = format!("light_source{{<0,0,-1e6> rgb {}}}", 0.8 / f64::from(lights));
+        let wall = "plane{-z,0 pigment{rgb 1} finish{ambient 0 diffuse 1 crand .4}}";
+        format!("{CZ} {wall} {}", light.repeat(lights as usize))
+    };
+    for lights in [1, 4] {
+        let n = 64;
+        let picture = picture(&scene(lights), &Options { width: n, height: n, ..single() });
+        let values: Vec<f64> = picture.pixels.iter().map(|p| f64::from(p[0])).collect();
+        let count = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / count;
+        let deviation = (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count).sqrt();
+        let expected = 0.8 * 0.4 / 12f64.sqrt() / f64::from(lights).sqrt();
+        // Five standard errors of the mean; the deviation itself has one of at most 1.1 %.
+        assert!((mean - 0.64).abs() < 5.0 * expected / count.sqrt(), "{mean}");
+        assert!((deviation / expected - 1.0).abs() < 0.055, "{deviation} instead of {expected}");
+        let rows = values.chunks(n).flat_map(|row| row.windows(2));
+        let neighbours = rows.map(|w| (w[0] - mean) * (w[1] - mean)).sum::<f64>() / count / expected.powi(2);
+        assert!(neighbours.abs() < 5.0 / count.sqrt(), "neighbours correlate by {neighbours}");
+    }
+}
+
+#[test]
 fn own_light() {
     let wall = |light: &str, finish: &str, pigment: &str| {
         format!("{CZ} {light} plane{{-z,0 pigment{{{pigment}}} finish{{ambient 0 diffuse 0 {finish}}}}}")

@@ -74,6 +74,20 @@ fn area_light_illumination() {
 }
 
 #[test]
+fn samples_behind_the_surface_give_no_light() {
+    let grid = |n: u32, m: u32| format!("<.01,0,-1.03> rgb .8 area_light <0,0,4>,<0,2,0>,{n},{m} area_illumination");
+    lit("<0,0,-1> rgb .8 area_light <0,0,3>,<0,2,0>,2,1 area_illumination", 0.4);
+    lit("<0,0,-1> rgb .8 area_light <0,0,3>,<0,2,0>,6,3 area_illumination", 0.513695);
+    lit(&grid(5, 1), 0.631785);
+    lit(&grid(3, 3), 0.474144);
+    // Through a thin box they are in its shadow, too, and the mean shadow weakens all.
+    let slab = "box{<-9,-9,0>,<9,9,.1> pigment{rgb 1} finish{ambient 0 diffuse 1}}";
+    check_grey(&format!("{CZ} {slab} light_source{{{}}}", grid(5, 3)), 0.426383);
+    // Without an area the word lights both sides.
+    lit("<0,0,1> rgb .8 area_illumination", 0.8);
+}
+
+#[test]
 fn light_through_a_window_object() {
     let window = "<0,0,-9.5> rgb .8 projected_through{disc{<0,0,-5>,z,1}}";
     for (q, expected) in [("-2", 0.0), ("-7", 0.8), ("-4.9995", 0.8)] {

@@ -12,6 +12,7 @@ mod shadows;
 
 use whitted::compile::{self, Queries};
 use whitted::eval::{self, Memory};
+use whitted::imaging::Picture;
 use whitted::render::{self, Options};
 
 /// Camera on the z axis, looking along it.
@@ -28,13 +29,18 @@ const TOLERANCE: f32 = 1.6e-5;
 
 /// The pixel of a scene after the common header.
 fn pixel(scene: &str, options: &Options) -> [f32; 4] {
+    picture(scene, options).pixel(0, 0)
+}
+
+/// The picture of a scene after the common header.
+fn picture(scene: &str, options: &Options) -> Picture {
     let text = format!("#version 3.7; global_settings {{ assumed_gamma 1.0 }}\n{scene}");
     let host = Memory::new([("a.pov", text.as_str())]);
     let read = eval::evaluate("a.pov".as_ref(), &eval::Options::default(), &host, &Queries::default());
     let read = read.unwrap_or_else(|f| panic!("{scene}\n{}", messages(&f.diagnostics, &f.sources)));
     let compiled = compile::compile(&read.scene);
-    let (world, _) = compiled.unwrap_or_else(|e| panic!("{scene}\n{}", messages(&e, &read.sources)));
-    render::render(&world, options, &|_| {}).picture.pixel(0, 0)
+    let compiled = compiled.unwrap_or_else(|e| panic!("{scene}\n{}", messages(&e, &read.sources)));
+    render::render(&compiled.world, options, &|_| {}).picture
 }
 
 fn messages(diagnostics: &[whitted::diag::Diagnostic], sources: &whitted::diag::SourceMap) -> String {

@@ -3,8 +3,8 @@
 //! Unions that nothing holds together are split; contents used more than once become shared
 //! groups; everything else is written out in its group's space.
 
-use super::ObjectInfo;
 use super::census::Census;
+use super::labels::Labeler;
 use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
 use crate::compiled::geometry::{
@@ -39,8 +39,10 @@ pub(super) struct Builder<'a> {
     pub(super) interiors: Vec<Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
     pub(super) height_grids: FxHashMap<*const crate::scene::HeightField, Arc<crate::compiled::geometry::HeightGrid>>,
+    /// By the object as it was first declared.
+    pub(super) watched: FxHashMap<*const crate::scene::Isosurface, super::watch::Watched>,
     pub(super) errors: Vec<Diagnostic>,
-    pub(super) objects: Vec<ObjectInfo>,
+    pub(super) labeler: Labeler,
     default_interior: Arc<Interior>,
     shared: FxHashMap<(*const Arc<Object>, u8), Shared>,
     n_light_groups: u32,
@@ -60,8 +62,9 @@ impl<'a> Builder<'a> {
             interiors: Vec::new(),
             meshes: FxHashMap::default(),
             height_grids: FxHashMap::default(),
+            watched: FxHashMap::default(),
             errors: Vec::new(),
-            objects: Vec::new(),
+            labeler: Labeler::default(),
             default_interior: Arc::default(),
             shared: FxHashMap::default(),
             n_light_groups: 0,
@@ -79,6 +82,7 @@ impl<'a> Builder<'a> {
     /// An object at frame level, or a member of a light group: owns an interior.
     fn place_frame(&mut self, object: &Arc<Object>, around: &Context, split: bool, items: &mut Items) {
         let mut around = around.clone();
+        self.labeler.begin(object);
         if object.interior.is_none() && !matches!(object.shape, Shape::LightGroup { .. }) {
             let hollow = last_hollow(object, around.hollow);
             around.interior = Some(self.interior(Arc::clone(&self.default_interior), hollow));
@@ -88,6 +92,20 @@ impl<'a> Builder<'a> {
 
     /// Places an object in a group. `height` grows to that of the instances inside.
     fn place(&mut self, object: &Arc<Object>, around: &Context, split: bool, items: &mut Items, height: &mut usize) {
+        let outer = self.labeler.enter(object);
+        self.place_kind(object, around, split, items, height);
+        self.labeler.leave(outer);
+    }
+
+    /// The same, by its kind.
+    fn place_kind(
+        &mut self,
+        object: &Arc<Object>,
+        around: &Context,
+        split: bool,
+        items: &mut Items,
+        height: &mut usize,
+    ) {
         match &object.shape {
             Shape::LightSource(light) => {
                 if let Some(looks) = &light.looks_like {
@@ -124,7 +142,7 @@ impl<'a> Builder<'a> {
             }
             _ if object.clipped_by.is_empty() => {
                 let inside = self.enter(object, around);
-                let id = self.object_id(object);
+                let id = self.labeler.object_id();
                 if let Some(index) = self.primitive(object, &inside, id) {
                     self.push_primitive(index, &inside, items);
                 }
@@ -145,7 +163,7 @@ impl<'a> Builder<'a> {
     }
 
     fn place_solid(&mut self, object: &Arc<Object>, around: &Context, items: &mut Items) {
-        let id = self.object_id(object);
+        let id = self.labeler.object_id();
         let root = self.geometry.nodes.len() as u32;
         if self.node(object, around, id, true).is_some() {
             let node = &self.geometry.nodes[root as usize];
@@ -184,7 +202,7 @@ impl<'a> Builder<'a> {
             return false;
         }
         *height = (*height).max(shared.height);
-        let id = self.object_id(object);
+        let id = self.labeler.object_id();
         let look = self.add_look(inside.look(id));
         let parent_from_group = inside.group_from_parent;
         let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group as usize].bounds));
@@ -210,11 +228,6 @@ impl<'a> Builder<'a> {
         }
         self.geometry.groups.push(Group::new(items));
         Shared { group: self.geometry.groups.len() as u32 - 1, height: height + 1 }
-    }
-
-    fn object_id(&mut self, object: &Object) -> ObjectId {
-        self.objects.push(ObjectInfo { name: object.name.clone(), span: object.span });
-        ObjectId(self.objects.len() as u32 - 1)
     }
 
     /// Builds an object as a part of a solid; `None` for what has no surface.
@@ -374,8 +387,7 @@ pub(super) fn is_patch(shape: &Shape) -> bool {
 /// Around everything outside a finite inverted primitive.
 fn gap(primitive: &Primitive) -> Bounds {
     let hole = inner(primitive);
-    // Below its box, a height field still has an inside.
-    if !primitive.inverse || !hole.is_finite() || matches!(primitive.shape, Compiled::HeightField(_)) {
+    if !primitive.inverse || !hole.is_finite() {
         return Bounds::INFINITE;
     }
     // Inside tests have thresholds of their own; a hundredth is far beyond them and costs little.
@@ -408,7 +420,26 @@ fn inner(primitive: &Primitive) -> Bounds {
         | Compiled::SmoothTriangle(_)
         | Compiled::Polygon(_)
         | Compiled::Parametric(_) => Bounds::INFINITE,
+        // A height field is solid below its box, too.
+        Compiled::HeightField(_) => below(primitive),
         Compiled::Mesh(mesh) if mesh.inside_vector.is_none() => Bounds::INFINITE,
         _ => primitive.bounds(),
     }
+}
+
+/// Around everything at and below a primitive's box along its own y axis; a box only where that axis
+/// stays a coordinate axis.
+fn below(primitive: &Primitive) -> Bounds {
+    let mut b = primitive.bounds();
+    let down = primitive.group_from_local.as_ref().map_or(DVec3::NEG_Y, |place| place.vector(DVec3::NEG_Y));
+    let axis = down.abs().max_position();
+    if down.abs().element_sum() != down[axis].abs() {
+        return Bounds::INFINITE;
+    }
+    if down[axis] < 0.0 {
+        b.min[axis] = f64::NEG_INFINITY;
+    } else {
+        b.max[axis] = f64::INFINITY;
+    }
+    b
 }

@@ -34,7 +34,10 @@ pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Conte
         Shape::SphereSweep { spline, spheres, tolerance } => {
             Some(Some(placed(sweep::sphere_sweep(*spline, spheres, *tolerance), inside.group_from_parent)))
         }
-        Shape::Isosurface(surface) => Some(Some(placed(implicit::isosurface(surface), inside.group_from_parent))),
+        Shape::Isosurface(surface) => {
+            let shape = implicit::isosurface(builder, surface, object.span);
+            Some(Some(placed(shape, inside.group_from_parent)))
+        }
         Shape::Parametric(surface) => Some(Some(placed(implicit::parametric(surface), inside.group_from_parent))),
         Shape::JuliaFractal(julia) => Some(Some(placed(implicit::julia(julia), inside.group_from_parent))),
         Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base.distance(*cap) < 1e-10 => {

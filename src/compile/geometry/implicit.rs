@@ -1,8 +1,12 @@
 //! Shapes given by functions: isosurface, parametric, julia_fractal.
 
+use super::builder::Builder;
+use super::watch::Watched;
 use crate::compiled::geometry::{Container, Isosurface, Julia, JuliaFunction, Parametric, Shape as Compiled};
+use crate::diag::Span;
 use crate::math::Bounds;
 use crate::scene;
+use std::sync::Arc;
 
 /// POV-Ray's container, its corners sorted.
 fn container(container: scene::Container) -> Container {
@@ -12,8 +16,17 @@ fn container(container: scene::Container) -> Container {
     }
 }
 
-/// An isosurface.
-pub(super) fn isosurface(surface: &scene::Isosurface) -> Compiled {
+/// An isosurface; what its searches find out is watched under its first place.
+pub(super) fn isosurface(builder: &mut Builder<'_>, surface: &Arc<scene::Isosurface>, span: Span) -> Compiled {
+    let guaranteed = surface.search == scene::IsosurfaceSearch::Guaranteed && surface.function.is_enclosable();
+    let watch = || Watched {
+        span,
+        notes: Arc::default(),
+        max_gradient: surface.max_gradient,
+        believes: !guaranteed,
+        adapts: surface.evaluate.is_some(),
+    };
+    let watched = builder.watched.entry(Arc::as_ptr(surface)).or_insert_with(watch);
     Compiled::Isosurface(Box::new(Isosurface {
         function: surface.function.clone(),
         container: container(surface.container),
@@ -23,6 +36,8 @@ pub(super) fn isosurface(surface: &scene::Isosurface) -> Compiled {
         evaluate: surface.evaluate,
         max_trace: surface.max_trace,
         open: surface.open,
+        guaranteed,
+        notes: Arc::clone(&watched.notes),
     }))
 }
 

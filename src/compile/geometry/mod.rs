@@ -5,6 +5,7 @@ mod census;
 mod freeform;
 mod height_field;
 mod implicit;
+mod labels;
 mod lights;
 mod looks;
 mod patch;
@@ -19,15 +20,19 @@ mod tests_implicit;
 #[cfg(test)]
 mod tests_properties;
 mod text;
+mod watch;
 
+use crate::compiled::Labels;
 use crate::compiled::geometry::{Geometry, Group, LightGroupId};
-use crate::diag::{Diagnostic, SourceResult, Span};
+use crate::diag::{Diagnostic, SourceResult};
 use crate::math::Transform;
 use crate::scene::{Interior, LightSource, Object, Scene, Texture};
 use builder::Builder;
 use census::Census;
 use lights::collect_lights;
 use std::sync::Arc;
+
+pub use watch::Watched;
 
 /// The geometry, with the lists that its indices refer to.
 #[derive(Debug, Default)]
@@ -43,7 +48,9 @@ pub struct CompiledGeometry {
     /// What a `LightGroupId` stands for.
     pub light_groups: Vec<LightGroup>,
     /// What an `ObjectId` stands for.
-    pub objects: Vec<ObjectInfo>,
+    pub labels: Labels,
+    /// Isosurfaces that may have something to say after rendering, in file order.
+    pub watched: Vec<Watched>,
     /// What is left out or unusual.
     pub warnings: Vec<Diagnostic>,
 }
@@ -62,15 +69,6 @@ pub struct PlacedLight {
 pub struct LightGroup {
     /// Members are lit by global lights, too.
     pub global_lights: bool,
-}
-
-/// Where a compiled object comes from.
-#[derive(Clone, Debug)]
-pub struct ObjectInfo {
-    /// The identifier it was declared under.
-    pub name: Option<Arc<str>>,
-    /// Where it stands in the scene file.
-    pub span: Span,
 }
 
 /// Compiles a whole scene: unions split, copies shared, hierarchies built.
@@ -113,7 +111,9 @@ fn build(objects: &[(&Arc<Object>, &Arc<Texture>)], split: bool) -> SourceResult
     if !builder.errors.is_empty() {
         return Err(builder.errors);
     }
-    let Builder { mut geometry, textures, interiors, objects, .. } = builder;
+    let Builder { mut geometry, textures, interiors, labeler, watched, .. } = builder;
+    let mut watched: Vec<_> = watched.into_values().collect();
+    watched.sort_by_key(|w| w.span);
     geometry.root = Group::new(items);
-    Ok(CompiledGeometry { geometry, textures, interiors, objects, ..out })
+    Ok(CompiledGeometry { geometry, textures, interiors, labels: labeler.finish(), watched, ..out })
 }

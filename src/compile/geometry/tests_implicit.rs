@@ -1,9 +1,11 @@
 //! Probe values of the function facts, sections 9 to 11.
 
 use super::tests::{check, inside, moved, object, v};
+use crate::compile::geometry::compile_object;
+use crate::compiled::geometry::{RayKind, Scratch};
 use crate::function::{Binary as B, Function, FunctionBody, ProgramBuilder, Slot, Unary as U};
-use crate::math::{DVec2, DVec3, DVec4, Transform};
-use crate::scene::{Container, Isosurface, JuliaFractal, JuliaFunction, Object, Parametric, Shape};
+use crate::math::{DVec2, DVec3, DVec4, Range, Ray, Transform};
+use crate::scene::{Container, Isosurface, IsosurfaceSearch, JuliaFractal, JuliaFunction, Object, Parametric, Shape};
 use std::sync::Arc;
 
 /// A function of x, y and z.
@@ -36,6 +38,7 @@ fn isosurface(function: Arc<Function>, change: impl Fn(&mut Isosurface)) -> Obje
         evaluate: None,
         max_trace: 1,
         open: false,
+        search: IsosurfaceSearch::PovRay,
     };
     change(&mut surface);
     object(Shape::Isosurface(Arc::new(surface)))
@@ -155,4 +158,55 @@ fn parametric_surfaces() {
     let sheet = [function(|_, [u, _, _]| u), function(|_, [_, v, _]| v), function(|b, _| b.constant(0.0))];
     let sheet = parametric(sheet, [-0.5, -0.5], [0.5, 0.5]);
     check(&sheet, from, DVec3::Z, Some((v(0.1, 0.2, -0.001_976_562_499_999_89), None)));
+}
+
+/// |f| 50 - 0.001 for a ball: a shell of a thickness of 4e-5, in which the slope is 50.
+fn thin_shell() -> Arc<Function> {
+    let ball = ball();
+    function(|b, xyz| {
+        let distance = b.call(&ball, xyz.into_iter().collect(), 0);
+        let (size, fifty, least) = (b.unary(U::Abs, distance), b.constant(50.0), b.constant(0.001));
+        let steep = b.binary(B::Mul, size, fifty);
+        b.binary(B::Sub, steep, least)
+    })
+}
+
+/// How many of a thousand parallel rays through the middle of the ball meet its shell.
+fn met(search: IsosurfaceSearch) -> usize {
+    let shell = isosurface(thin_shell(), |s| (s.max_gradient, s.accuracy, s.search) = (0.1, 0.01, search));
+    let geometry = compile_object(&Arc::new(shell)).unwrap();
+    let meets = |i: &usize| {
+        // Within 0.69 of the axis, where the shell's radius is 0.7, in a spiral.
+        let (radius, angle) = (0.69 * *i as f64 / 1000.0, *i as f64 * 2.4);
+        let ray = Ray::new(v(radius * angle.cos(), radius * angle.sin(), -3.0), DVec3::Z);
+        geometry.occluded(&ray, Range::FORWARD, &mut Scratch::default())
+    };
+    (0..1000).filter(meets).count()
+}
+
+#[test]
+fn no_ray_misses_a_thin_sheet_whatever_max_gradient_says() {
+    assert_eq!(met(IsosurfaceSearch::Guaranteed), 1000);
+    assert_eq!(met(IsosurfaceSearch::PovRay), 0);
+}
+
+/// With a true bound of the slope both searches end on the same point.
+#[test]
+fn certainty_moves_no_hit() {
+    let both = [IsosurfaceSearch::Guaranteed, IsosurfaceSearch::PovRay].map(|search| {
+        let surface = isosurface(ball(), |s| (s.search, s.max_trace) = (search, 2));
+        compile_object(&Arc::new(surface)).unwrap()
+    });
+    let mut hits = 0;
+    for i in 0..1000 {
+        let at = |k: f64| (f64::from(i) * k).sin();
+        let origin = v(at(1.3), at(2.7), at(3.1)) * 3.0;
+        let ray = Ray::new(origin, (v(at(5.3), at(7.1), at(4.9)) * 0.8 - origin).normalize());
+        let [a, b] = both
+            .each_ref()
+            .map(|g| g.intersect(&ray, Range::FORWARD, RayKind::Refracted, &mut Scratch::default()).map(|hit| hit.t));
+        assert_eq!(a, b, "{ray:?}");
+        hits += usize::from(a.is_some());
+    }
+    assert!(hits > 200, "{hits}");
 }

@@ -32,8 +32,9 @@ pub(crate) use graph::{
 pub(crate) use parts::Parts;
 pub(crate) use shape::{
     Blob, BlobPart, Cone, Container, Core, Cuboid, Disc, HeightField, HeightGrid, Isosurface, Julia, JuliaFunction,
-    Lathe, Mesh, MeshData, MeshTree, Outline, Ovus, Parametric, Plane, Polygon, Polynomial, Prism, Quadric, Segment,
-    Shape, SmoothTriangle, Sor, SorSegment, Sphere, SphereSweep, Superellipsoid, SweepSegment, Torus, Triangle,
+    Lathe, Mesh, MeshData, MeshTree, Outline, Ovus, Parametric, Plane, Polygon, Polynomial, Prism, Quadric,
+    SearchNotes, Segment, Shape, SmoothTriangle, Sor, SorSegment, Sphere, SphereSweep, Superellipsoid, SweepSegment,
+    Torus, Triangle,
 };
 
 use crate::math::{Bounds, DVec3, Range, Ray};

@@ -26,6 +26,7 @@ impl Evaluator<'_> {
             evaluate: None,
             max_trace: 1,
             open: false,
+            search: self.options.isosurface_search,
         };
         while self.isosurface_item(&mut surface)? {
             self.comma()?;

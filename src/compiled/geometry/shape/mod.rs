@@ -32,7 +32,7 @@ pub(crate) use cone::Cone;
 pub(crate) use container::Container;
 pub(crate) use cuboid::Cuboid;
 pub(crate) use height_field::{HeightField, HeightGrid};
-pub(crate) use isosurface::Isosurface;
+pub(crate) use isosurface::{Isosurface, SearchNotes};
 pub(crate) use julia::{Julia, JuliaFunction};
 pub(crate) use lathe::Lathe;
 pub(crate) use mesh::{Mesh, MeshData, MeshTree};

@@ -1,0 +1,47 @@
+//! Names of objects and textures, for layers that tell them apart.
+
+use super::geometry::{ObjectId, TextureId};
+use std::sync::Arc;
+
+/// Finds the name of anything that a ray can meet.
+///
+/// An object is named by the identifier it was declared under, the outermost one where several apply,
+/// or by its kind. The first of a name bears it alone, further ones have a number: `Chair`, `Chair.001`.
+///
+/// ```
+/// use whitted::compiled::Labels;
+/// use whitted::compiled::geometry::TextureId;
+/// assert_eq!(Labels::default().texture(TextureId(7)), "texture.007");
+/// ```
+#[derive(Debug, Default)]
+pub struct Labels {
+    /// What stands before the number.
+    pub bases: Vec<Arc<str>>,
+    /// By statement: index of the base, and how many had it before.
+    pub statements: Vec<[u32; 2]>,
+    /// By [`ObjectId`]: the statement that the object belongs to.
+    pub statement_of: Vec<u32>,
+}
+
+impl Labels {
+    /// Which statement an object belongs to: all its parts are one thing to a user.
+    pub fn statement(&self, id: ObjectId) -> u32 {
+        self.statement_of.get(id.0 as usize).copied().unwrap_or(u32::MAX)
+    }
+
+    /// The name of a statement's object.
+    pub fn object(&self, statement: u32) -> String {
+        let found = self.statements.get(statement as usize);
+        let base = found.and_then(|[base, _]| self.bases.get(*base as usize));
+        numbered(base.map_or("object", |b| b), found.map_or(statement, |[_, number]| *number))
+    }
+
+    /// The name of a texture: textures are numbered in the order in which objects use them.
+    pub fn texture(&self, id: TextureId) -> String {
+        numbered("texture", id.0)
+    }
+}
+
+fn numbered(base: &str, number: u32) -> String {
+    if number == 0 { base.to_owned() } else { format!("{base}.{number:03}") }
+}

@@ -1,0 +1,273 @@
+//! What is brought back along a camera ray: light alone, or light with what layers need.
+//!
+//! The code that shades the first hit and sums up samples is written once over [`Gather`] and compiled
+//! twice: with [`Radiance`] everything but the light falls away, so that a picture without layers pays
+//! nothing; with [`Detail`] the light is summed in the same order, so that its bits are the same.
+
+use super::atmosphere::Veil;
+use super::coverage::Coverage;
+use super::ray::Radiance;
+use crate::compiled::geometry::Surface;
+use crate::math::{DVec3, Rgb};
+
+/// Where light comes from, as seen at the first surface; all terms add up to the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Term {
+    /// Ambient light and emission of the surface.
+    Emission,
+    /// Diffuse light and highlights from light sources.
+    Direct,
+    /// Mirrored light, total reflection included.
+    Reflection,
+    /// Light that comes through the surface, bent or not.
+    Refraction,
+    /// Sky and background where nothing is met.
+    Background,
+    /// Light that fog and rainbows add; the other terms are weakened by them.
+    Atmosphere,
+}
+
+/// How many terms there are.
+pub(super) const N_TERMS: usize = 6;
+
+/// Something that light is gathered in.
+pub(super) trait Gather: Clone + Default + Send {
+    /// The light itself.
+    fn light(&self) -> Radiance;
+    /// Adds light of one term.
+    fn add(&mut self, term: Term, light: Radiance);
+    /// Adds a surface's own and direct light behind a filter.
+    fn add_own(&mut self, filter: Rgb, emission: Rgb, direct: Rgb);
+    /// Adds a share of another sample.
+    fn add_scaled(&mut self, other: &Self, weight: f32);
+    /// A share of this sample.
+    #[must_use]
+    fn scaled(self, weight: f32) -> Self;
+    /// Lays the atmosphere over everything so far.
+    fn veil(&mut self, veil: &Veil);
+    /// Notes the normal that shades, towards the viewer, and the colour that counts as the surface's own.
+    fn note_shading(&mut self, normal: DVec3, albedo: Rgb);
+    /// Notes the first hit of a camera ray.
+    fn note_hit(&mut self, surface: &Surface<'_>, length: f64, facing: DVec3);
+    /// Notes that this is one camera ray.
+    fn note_sample(&mut self);
+    /// Counts samples anew where sums have counted some several times.
+    fn recount<'a>(&mut self, parts: impl Iterator<Item = &'a Self>)
+    where
+        Self: 'a;
+}
+
+impl Gather for Radiance {
+    fn light(&self) -> Radiance {
+        *self
+    }
+
+    fn add(&mut self, _: Term, light: Radiance) {
+        self.rgb += light.rgb;
+        self.transparency += light.transparency;
+    }
+
+    fn add_own(&mut self, filter: Rgb, emission: Rgb, direct: Rgb) {
+        self.rgb += filter * (emission + direct);
+    }
+
+    fn add_scaled(&mut self, other: &Self, weight: f32) {
+        self.rgb += weight * other.rgb;
+        self.transparency += weight * other.transparency;
+    }
+
+    fn scaled(self, weight: f32) -> Self {
+        Self { rgb: weight * self.rgb, transparency: weight * self.transparency }
+    }
+
+    fn veil(&mut self, veil: &Veil) {
+        self.rgb = veil.factor * self.rgb + veil.added;
+        self.transparency *= veil.transparency;
+    }
+
+    fn note_shading(&mut self, _: DVec3, _: Rgb) {}
+
+    fn note_hit(&mut self, _: &Surface<'_>, _: f64, _: DVec3) {}
+
+    fn note_sample(&mut self) {}
+
+    fn recount<'a>(&mut self, _: impl Iterator<Item = &'a Self>) {}
+}
+
+/// Light with everything that layers show.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Detail {
+    light: Radiance,
+    terms: [Rgb; N_TERMS],
+    /// Of the nearest sample.
+    nearest: Option<Nearest>,
+    /// Sums of unit vectors, world space, towards the viewer.
+    normal: DVec3,
+    geometric_normal: DVec3,
+    albedo: Rgb,
+    samples: u32,
+    /// By index of object and texture.
+    objects: Coverage,
+    materials: Coverage,
+}
+
+/// Where a camera ray ended.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nearest {
+    /// Along the ray.
+    pub(super) length: f64,
+    /// World space.
+    pub(super) point: DVec3,
+}
+
+impl Detail {
+    /// The light of one term.
+    pub(super) fn term(&self, term: Term) -> Rgb {
+        self.terms[term as usize]
+    }
+
+    /// The nearest place that any sample met.
+    pub(super) fn nearest(&self) -> Option<Nearest> {
+        self.nearest
+    }
+
+    /// Mean shading normal; shorter than 1 where samples differ or miss.
+    pub(super) fn normal(&self) -> DVec3 {
+        self.normal
+    }
+
+    /// Mean normal of the surface itself.
+    pub(super) fn geometric_normal(&self) -> DVec3 {
+        self.geometric_normal
+    }
+
+    /// Mean colour of the surface.
+    pub(super) fn albedo(&self) -> Rgb {
+        self.albedo
+    }
+
+    /// Camera rays that were sent for this.
+    pub(super) fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// Shares of frame-level objects.
+    pub(super) fn objects(&self) -> &Coverage {
+        &self.objects
+    }
+
+    /// Shares of textures.
+    pub(super) fn materials(&self) -> &Coverage {
+        &self.materials
+    }
+}
+
+impl Gather for Detail {
+    fn light(&self) -> Radiance {
+        self.light
+    }
+
+    fn add(&mut self, term: Term, light: Radiance) {
+        self.light.add(term, light);
+        self.terms[term as usize] += light.rgb;
+    }
+
+    fn add_own(&mut self, filter: Rgb, emission: Rgb, direct: Rgb) {
+        self.light.add_own(filter, emission, direct);
+        self.terms[Term::Emission as usize] += filter * emission;
+        self.terms[Term::Direct as usize] += filter * direct;
+    }
+
+    fn add_scaled(&mut self, other: &Self, weight: f32) {
+        self.light.add_scaled(&other.light, weight);
+        self.terms.iter_mut().zip(&other.terms).for_each(|(a, b)| *a += weight * *b);
+        self.normal += f64::from(weight) * other.normal;
+        self.geometric_normal += f64::from(weight) * other.geometric_normal;
+        self.albedo += weight * other.albedo;
+        self.samples += other.samples;
+        self.objects.add_scaled(&other.objects, weight);
+        self.materials.add_scaled(&other.materials, weight);
+        let nearer = |n: &Nearest| other.nearest.is_none_or(|o| n.length <= o.length);
+        self.nearest = self.nearest.filter(nearer).or(other.nearest);
+    }
+
+    fn scaled(mut self, weight: f32) -> Self {
+        self.light = self.light.scaled(weight);
+        self.terms.iter_mut().for_each(|term| *term *= weight);
+        self.normal *= f64::from(weight);
+        self.geometric_normal *= f64::from(weight);
+        self.albedo *= weight;
+        self.objects.scale(weight);
+        self.materials.scale(weight);
+        self
+    }
+
+    fn veil(&mut self, veil: &Veil) {
+        self.light.veil(veil);
+        self.terms.iter_mut().for_each(|term| *term *= veil.factor);
+        self.terms[Term::Atmosphere as usize] += veil.added;
+    }
+
+    fn note_shading(&mut self, normal: DVec3, albedo: Rgb) {
+        self.normal = normal;
+        self.albedo = albedo;
+    }
+
+    fn note_hit(&mut self, surface: &Surface<'_>, length: f64, facing: DVec3) {
+        let side = if surface.geometric_normal.dot(facing) < 0.0 { -1.0 } else { 1.0 };
+        self.geometric_normal = side * surface.geometric_normal;
+        self.nearest = Some(Nearest { length, point: surface.point });
+        self.objects = Coverage::all(surface.object.0);
+        let total: f32 = surface.textures.iter().map(|t| t.weight).sum();
+        for seen in &surface.textures {
+            self.materials.add(seen.texture.0, seen.weight / total);
+        }
+    }
+
+    fn note_sample(&mut self) {
+        self.samples += 1;
+    }
+
+    fn recount<'a>(&mut self, parts: impl Iterator<Item = &'a Self>) {
+        self.samples = parts.map(|part| part.samples).sum();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample(distance: f64, object: u32) -> Detail {
+        let mut sample = Detail::default();
+        sample.add_own(Rgb::splat(0.5), Rgb::X, Rgb::Y);
+        sample.add(Term::Reflection, Radiance { rgb: Rgb::Z, transparency: 0.25 });
+        sample.nearest = Some(Nearest { length: distance, point: distance * DVec3::Z });
+        sample.objects = Coverage::all(object);
+        sample.note_sample();
+        sample
+    }
+
+    fn check(detail: &Detail, nearest: f64, shares: &[(u32, f32)], samples: u32) {
+        assert_eq!(detail.nearest.map(|n| n.length), Some(nearest));
+        assert_eq!(detail.objects.ranked(), shares);
+        assert_eq!(detail.samples, samples);
+        let sum: Rgb = detail.terms.iter().sum();
+        assert!((sum - detail.light.rgb).abs().max_element() < 1e-6, "{detail:?}");
+    }
+
+    #[test]
+    fn samples_mix_by_weight_and_the_nearest_gives_the_depth() {
+        let mut sum = sample(5.0, 3);
+        check(&sum, 5.0, &[(3, 1.0)], 1);
+        sum.add_scaled(&sample(2.0, 4), 1.0);
+        sum.add_scaled(&sample(7.0, 4), 1.0);
+        sum.add_scaled(&Detail::default(), 1.0);
+        let mut mean = sum.scaled(0.25);
+        check(&mean, 2.0, &[(4, 0.5), (3, 0.25)], 3);
+        mean.veil(&Veil { factor: Rgb::splat(0.5), added: Rgb::X, transparency: 0.5 });
+        check(&mean, 2.0, &[(4, 0.5), (3, 0.25)], 3);
+        let parts = [sample(1.0, 1), sample(1.0, 1)];
+        mean.recount(parts.iter());
+        assert_eq!(mean.samples(), 2);
+    }
+}

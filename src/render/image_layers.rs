@@ -1,0 +1,182 @@
+//! Layers beside the picture: what each is called in the file, and its values.
+
+use super::coverage::Coverage;
+use super::gather::{Detail, Gather, Term};
+use crate::compiled::World;
+use crate::compiled::camera::Projection;
+use crate::compiled::geometry::{ObjectId, TextureId};
+use crate::imaging::{Layer, cryptomatte};
+use crate::math::{DVec3, Rgb};
+
+/// The depth of pixels that show nothing, as Blender writes it.
+const NO_DEPTH: f32 = 1e10;
+
+/// Something that can be written beside the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ImageLayer {
+    /// Distance from the camera's plane (for perspective and orthographic cameras, else from the camera)
+    /// of the nearest sample.
+    Depth,
+    /// World position of the nearest sample.
+    Position,
+    /// Shading normal, world space, towards the viewer; mean of the samples.
+    Normal,
+    /// Normal of the surface without bumps and smoothing.
+    GeometricNormal,
+    /// Colour of the pigments, weighted by opacity.
+    Albedo,
+    /// Ambient light and emission of the first surface.
+    Emission,
+    /// Light from light sources, by the first surface.
+    Direct,
+    /// What the first surface mirrors.
+    Reflection,
+    /// What comes through the first surface.
+    Refraction,
+    /// Sky and background.
+    Background,
+    /// What fog and rainbows add.
+    Atmosphere,
+    /// Camera rays sent for the pixel.
+    Samples,
+    /// Shares of objects, as Cryptomatte.
+    CryptoObject,
+    /// Shares of textures, as Cryptomatte.
+    CryptoMaterial,
+}
+
+impl ImageLayer {
+    /// All layers, in the order in which they are documented.
+    pub const ALL: [Self; 14] = [
+        Self::Depth,
+        Self::Position,
+        Self::Normal,
+        Self::GeometricNormal,
+        Self::Albedo,
+        Self::Emission,
+        Self::Direct,
+        Self::Reflection,
+        Self::Refraction,
+        Self::Background,
+        Self::Atmosphere,
+        Self::Samples,
+        Self::CryptoObject,
+        Self::CryptoMaterial,
+    ];
+
+    /// What the user calls it, and the layer in the file (for `Z`, the channel).
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Depth => "Z",
+            Self::Position => "P",
+            Self::Normal => "N",
+            Self::GeometricNormal => "Ng",
+            Self::Albedo => "albedo",
+            Self::Emission => "emission",
+            Self::Direct => "direct",
+            Self::Reflection => "reflection",
+            Self::Refraction => "refraction",
+            Self::Background => "background",
+            Self::Atmosphere => "atmosphere",
+            Self::Samples => "samples",
+            Self::CryptoObject => "CryptoObject",
+            Self::CryptoMaterial => "CryptoMaterial",
+        }
+    }
+
+    /// The layer of a name, in any case.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|layer| layer.name().eq_ignore_ascii_case(name))
+    }
+
+    /// Its values over all pixels; Cryptomatte is several layers.
+    pub(super) fn build(self, world: &World, pixels: &[Detail]) -> Vec<Layer> {
+        let term = |term: Term| self.colors(pixels, |p| linear_share(world, p, term));
+        let one = |channel: &str, value: &dyn Fn(&Detail) -> f32| {
+            let name = if channel == "Z" { String::new() } else { self.name().into() };
+            let channels = vec![(channel.to_owned(), pixels.iter().map(value).collect())];
+            vec![Layer { name, channels, attributes: Vec::new() }]
+        };
+        match self {
+            Self::Depth => one("Z", &|p| depth(world, p)),
+            Self::Samples => one("Y", &|p| p.samples() as f32),
+            Self::Position => self.vectors(pixels, |p| p.nearest().map_or(DVec3::ZERO, |n| n.point)),
+            Self::Normal => self.vectors(pixels, Detail::normal),
+            Self::GeometricNormal => self.vectors(pixels, Detail::geometric_normal),
+            Self::Albedo => self.colors(pixels, |p| p.albedo().to_array().map(|v| world.settings.transfer.linear(v))),
+            Self::Emission => term(Term::Emission),
+            Self::Direct => term(Term::Direct),
+            Self::Reflection => term(Term::Reflection),
+            Self::Refraction => term(Term::Refraction),
+            Self::Background => term(Term::Background),
+            Self::Atmosphere => term(Term::Atmosphere),
+            Self::CryptoObject => {
+                let shares: Vec<_> = pixels.iter().map(|p| statements(world, p)).collect();
+                cryptomatte(self.name(), &shares, |statement| world.labels.object(statement))
+            }
+            Self::CryptoMaterial => {
+                let shares: Vec<_> = pixels.iter().map(|p| p.materials().ranked()).collect();
+                cryptomatte(self.name(), &shares, |texture| world.labels.texture(TextureId(texture)))
+            }
+        }
+    }
+
+    fn colors(self, pixels: &[Detail], color: impl Fn(&Detail) -> [f32; 3]) -> Vec<Layer> {
+        self.three(["R", "G", "B"], pixels.iter().map(color).collect())
+    }
+
+    fn vectors(self, pixels: &[Detail], vector: impl Fn(&Detail) -> DVec3) -> Vec<Layer> {
+        self.three(["X", "Y", "Z"], pixels.iter().map(|p| vector(p).as_vec3().to_array()).collect())
+    }
+
+    fn three(self, names: [&str; 3], values: Vec<[f32; 3]>) -> Vec<Layer> {
+        let channel = |i: usize| (names[i].to_owned(), values.iter().map(|v| v[i]).collect());
+        vec![Layer { name: self.name().into(), channels: (0..3).map(channel).collect(), attributes: Vec::new() }]
+    }
+}
+
+/// Linear light of one term. Where a scene's working values are not linear, sums in both spaces differ, so the
+/// pixel's linear light is divided in the ratio of the terms' working values: all terms always add up to it.
+fn linear_share(world: &World, pixel: &Detail, term: Term) -> [f32; 3] {
+    let (total, part): (Rgb, Rgb) = (pixel.light().rgb, pixel.term(term));
+    std::array::from_fn(|i| {
+        if total[i] == 0.0 { part[i] } else { part[i] * (world.settings.transfer.linear(total[i]) / total[i]) }
+    })
+}
+
+fn depth(world: &World, pixel: &Detail) -> f32 {
+    let Some(nearest) = pixel.nearest() else { return NO_DEPTH };
+    let camera = &world.camera;
+    let depth = match camera.projection {
+        Projection::Perspective | Projection::Orthographic => {
+            (nearest.point - camera.location).dot(camera.direction.normalize_or(DVec3::Z))
+        }
+        _ => nearest.length,
+    };
+    depth as f32
+}
+
+/// Shares of the statements to which objects belong.
+fn statements(world: &World, pixel: &Detail) -> Vec<(u32, f32)> {
+    let mut shares = Coverage::default();
+    for (object, share) in pixel.objects().ranked() {
+        shares.add(world.labels.statement(ObjectId(object)), share);
+    }
+    shares.ranked()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(name: &str, expected: Option<ImageLayer>) {
+        assert_eq!(ImageLayer::named(name), expected, "{name}");
+    }
+
+    #[test]
+    fn layers_have_names() {
+        ImageLayer::ALL.iter().for_each(|layer| check(layer.name(), Some(*layer)));
+        check("cryptoobject", Some(ImageLayer::CryptoObject));
+        check("depth", None);
+    }
+}
