@@ -1,7 +1,7 @@
 //! Errors and warnings with their place and the way there.
 
 use super::Evaluator;
-use super::standard_includes::declared_in;
+use super::standard_includes::{advice_on_texture, declared_in};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic, nearest};
 use crate::syntax::{Keyword, Symbol, Token, TokenKind};
 
@@ -74,6 +74,9 @@ impl Evaluator<'_> {
         if let Some(file) = declared_in(self.names.word(name)) {
             return Some(format!("it is declared in a standard file: #include \"{file}\""));
         }
+        if let Some(advice) = advice_on_texture(self.names.word(name)) {
+            return Some(advice);
+        }
         let declared = self.scopes.names().map(|s| &**self.names.word(s));
         let words = Keyword::ALL.iter().map(|k| k.word());
         nearest(self.names.word(name), declared.chain(words)).map(|near| format!("did you mean '{near}'?"))
@@ -96,6 +99,11 @@ impl Evaluator<'_> {
             let warning = self.with_trace(Diagnostic::warning(topic, span, message));
             self.warnings.push(warning);
         }
+    }
+
+    /// A warning about the scene as a whole.
+    pub(super) fn remark(&mut self, topic: Topic, message: impl Into<String>) {
+        self.warnings.push(Diagnostic::warning(topic, Span::default(), message).without_place());
     }
 
     /// A warning that is given once for its topic.

@@ -269,6 +269,15 @@ impl<'h> Evaluator<'h> {
                 "this scene has no #version, so rules from before version 3.7 hold; start it with '#version 3.7;'",
             );
         }
+        if self.version_given && self.version >= 370 && !self.defaults.gamma_given {
+            self.remark(
+                Topic::Version,
+                "assumed_gamma is not given, so 1.0 is taken; 'global_settings { assumed_gamma 1.0 }' says so",
+            );
+        }
+        if self.scene.objects.is_empty() {
+            self.remark(Topic::Geometry, "there are no objects in this scene");
+        }
     }
 
     /// Registers the text of a file.

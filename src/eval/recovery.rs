@@ -128,10 +128,10 @@ impl Evaluator<'_> {
             let Some(token) = self.raw() else { return false };
             search.note(&token, self.is_misspelt(&token));
         }
-        let closed = self.to_closing_brace(&mut search, found == start);
+        let closed = self.skip_to_its_end(&mut search, found == start);
         let went_on = closed || {
             self.go_to(found);
-            self.to_line_start()
+            self.skip_to_line_start()
         };
         self.undeclared_by_error.extend(search.names);
         went_on
@@ -153,7 +153,7 @@ impl Evaluator<'_> {
     }
 
     /// Goes behind the brace or semicolon that ends a statement, or before the next one.
-    fn to_closing_brace(&mut self, search: &mut Search, mut at_start: bool) -> bool {
+    fn skip_to_its_end(&mut self, search: &mut Search, mut at_start: bool) -> bool {
         loop {
             let Some(before) = self.cursors.last().map(Cursor::position) else { return false };
             let Some(token) = self.raw() else { return false };
@@ -169,11 +169,7 @@ impl Evaluator<'_> {
                     self.go_to(before);
                     return true;
                 }
-                TokenKind::Directive(d) => {
-                    if !self.pass_directive(d, search) {
-                        return false;
-                    }
-                }
+                TokenKind::Directive(d) if !self.pass_directive(d, search) => return false,
                 _ => {}
             }
             at_start = false;
@@ -200,7 +196,7 @@ impl Evaluator<'_> {
     }
 
     /// Goes to the next line that begins like a statement.
-    fn to_line_start(&mut self) -> bool {
+    fn skip_to_line_start(&mut self) -> bool {
         loop {
             let Some(before) = self.cursors.last().map(Cursor::position) else { return false };
             let Some(token) = self.raw() else { return false };
