@@ -203,7 +203,7 @@ fn perlin(p: DVec3) -> f64 {
     let [x, y, z]: [[f64; 2]; 3] = std::array::from_fn(|i| [t[i] - n[i], t[i] - n[i] - 1.0]);
     let sides = n.map(|n| [n as i64 as usize, n as i64 as usize + 1]);
     let hash = |i: usize| usize::from(tables.permutation[i % PERLIN_PERIOD]);
-    let first = sides[0].map(|x| hash(x));
+    let first = sides[0].map(&hash);
     let [wx, wy, wz] = [x, y, z].map(|side| smooth(side[0]));
     let lerp = |w: f64, a: f64, b: f64| a + w * (b - a);
     let along_x: [f64; 4] = std::array::from_fn(|k| {
