@@ -5,7 +5,7 @@
 use super::camera::RawRay;
 use super::gather::Gather;
 use super::jitter::{jitter, shuffled};
-use super::random::Random;
+use super::mersenne::MersenneTwister;
 use super::ray::Radiance;
 use super::tracer::Tracer;
 use crate::compiled::camera::{Camera, FocalBlur};
@@ -201,7 +201,9 @@ fn round_points(n: usize) -> Vec<DVec2> {
 
 /// Points over a lens whose shape a pigment draws on the unit square.
 fn bokeh_points(n: usize, brightness: impl Fn(f64, f64) -> f64) -> Vec<DVec2> {
-    let mut random = Random::at(0.0, 0.0);
+    let mut random = MersenneTwister::new();
+    // POV-Ray's stream starts with the second number.
+    random.next();
     let mut points = Vec::with_capacity(n);
     let mut tries = 0u64;
     while points.len() < n {

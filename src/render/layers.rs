@@ -118,7 +118,7 @@ impl Tracer<'_> {
             if depth == 0 {
                 top_normal = normal;
             }
-            let pigment = self.layer_color(layer, point, normal, place);
+            let pigment = self.layer_color(layer, point, place);
             let color = pigment.unwrap_or_default();
             if self.options.flat() {
                 found.add(Term::Emission, Radiance { rgb: color.rgb, transparency: 0.0 });
@@ -163,20 +163,24 @@ impl Tracer<'_> {
         found
     }
 
-    fn layer_normal(&self, layer: &Layer, point: DVec3, frame: &Frame, place: &Place<'_, '_>) -> DVec3 {
+    /// A layer's normal; that of the last layer with bumps stays for patterns that ask for the slope, in
+    /// whatever layer or texture of the hit they stand, as in POV-Ray.
+    fn layer_normal(&self, layer: &Layer, point: DVec3, frame: &Frame, place: &mut Place<'_, '_>) -> DVec3 {
         match &layer.normal {
             Some(normal) if self.options.reflection_and_normals() => {
-                normal.perturb(place.facing, point, frame, &place.context)
+                let bumped = normal.perturb(place.facing, point, frame, &place.context);
+                place.context.perturbed_normal = bumped;
+                bumped
             }
             _ => place.facing,
         }
     }
 
-    fn layer_color(&self, layer: &Layer, point: DVec3, normal: DVec3, place: &Place<'_, '_>) -> Option<Color> {
+    fn layer_color(&self, layer: &Layer, point: DVec3, place: &Place<'_, '_>) -> Option<Color> {
         if let (true, Some(quick)) = (self.options.quick_colors(), layer.quick_color) {
             return Some(quick);
         }
-        layer.pigment.color(point, &Context { perturbed_normal: normal, ..place.context })
+        layer.pigment.color(point, &place.context)
     }
 
     /// A layer as light meets it.

@@ -17,6 +17,7 @@ mod image_layers;
 mod jitter;
 mod layers;
 mod lights;
+mod mersenne;
 mod mesh_camera;
 mod options;
 mod random;

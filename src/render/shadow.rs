@@ -27,10 +27,19 @@ impl Tracer<'_> {
     /// samples each have their own.
     pub(super) fn shadowed(&mut self, place: &Place<'_, '_>, light: &Light, arrival: &Arrival, bare: bool) -> Rgb {
         let color = if bare { light.color } else { arrival.color };
-        let mut reach = arrival.distance;
+        let casts = !light.shadowless && self.options.shadows();
+        match &light.area {
+            Some(area) if casts && self.options.area_lights() => self.area_shadow(place, light, area, color),
+            _ => self.arriving(place, light, arrival.direction, arrival.distance, color),
+        }
+    }
+
+    /// A colour on its way from a light or one of its samples.
+    fn arriving(&mut self, place: &Place<'_, '_>, light: &Light, direction: DVec3, distance: f64, color: Rgb) -> Rgb {
+        let mut reach = distance;
         if let Some(window) = &light.projected_through {
-            let (ray, range) = place.surface.leave(arrival.direction);
-            let range = Range { max: arrival.distance, ..range };
+            let (ray, range) = place.surface.leave(direction);
+            let range = Range { max: distance, ..range };
             match window.intersect(&ray, range, RayKind::Shadow, &mut self.scratch) {
                 Some(hit) => reach = hit.t - PROJECTION_MARGIN,
                 None => return Rgb::ZERO,
@@ -39,12 +48,7 @@ impl Tracer<'_> {
         if light.shadowless || !self.options.shadows() {
             return color;
         }
-        match &light.area {
-            Some(area) if self.options.area_lights() && light.projected_through.is_none() => {
-                self.area_shadow(place, light, area, color)
-            }
-            _ => self.filtered(place, arrival.direction, reach, color),
-        }
+        self.filtered(place, direction, reach, color)
     }
 
     fn area_shadow(&mut self, place: &Place<'_, '_>, light: &Light, area: &Area, color: Rgb) -> Rgb {
@@ -176,7 +180,7 @@ impl AreaShadow<'_, '_, '_> {
         let (a, b) = tracer.jittered(self.area, i, j);
         let source = self.light.location + self.area.offset(a, b, self.axes);
         let (direction, distance) = self.light.toward(self.place.surface.point, source);
-        let found = tracer.filtered(self.place, direction, distance, self.color);
+        let found = tracer.arriving(self.place, self.light, direction, distance, self.color);
         self.known[at] = Some(found);
         found
     }

@@ -50,7 +50,7 @@ impl<'w> Tracer<'w> {
             world.camera.projection,
             Projection::Orthographic | Projection::Cylinder { kind: 3 | 4, .. } | Projection::Mesh(_)
         );
-        if !moving && world.camera.blur.is_none() {
+        if !moving {
             tracer.camera_interiors = Some(tracer.interiors_at(world.camera.location));
         }
         tracer
@@ -79,15 +79,27 @@ impl<'w> Tracer<'w> {
     /// Follows a ray that starts at the camera and sees no farther than `far`; its direction is a unit vector.
     pub(super) fn follow<G: Gather>(&mut self, ray: Ray, far: f64) -> G {
         self.statistics.camera_rays += 1;
+        let known = self.camera_interiors.is_some() && self.is_clear(ray.origin);
         let interiors = match &self.camera_interiors {
-            Some(known) => known.clone(),
-            None => self.interiors_at(ray.origin),
+            Some(known_interiors) if known => known_interiors.clone(),
+            _ => self.interiors_at(ray.origin),
         };
         let range = Range { min: CAMERA_NEAR, max: far };
         let kind = RayKind::Camera;
         let mut found: G = self.trace(&Path { ray, range, kind, level: 1, weight: 1.0, interiors, wavelength: None });
         found.note_sample();
         found
+    }
+
+    /// Whether nothing lies between the middle of the lens and a point of it: then both are inside the same objects.
+    fn is_clear(&mut self, origin: DVec3) -> bool {
+        let shift = origin - self.world.camera.location;
+        if shift == DVec3::ZERO {
+            return true;
+        }
+        let across = Ray::new(self.world.camera.location, shift);
+        let range = Range { min: 0.0, max: 1.0 };
+        self.world.geometry.intersect(&across, range, RayKind::Probe, &mut self.scratch).is_none()
     }
 
     fn interiors_at(&self, point: DVec3) -> Interiors {

@@ -57,3 +57,23 @@ fn the_inside_may_look_different() {
     check_grey(&format!("{CZ} plane{{z,0 {textures}}}"), 0.700008);
     check_grey(&format!("{CZ} plane{{z,0 {textures} inverse}}"), 0.100008);
 }
+
+#[test]
+fn the_last_bumps_stay_for_slopes() {
+    let plain = "finish{ambient 1 diffuse 0}";
+    let bumps = "normal{gradient z 1 translate .3*z}";
+    let bumped = format!("pigment{{rgb 0}} {bumps} {plain}");
+    let sloped = format!("pigment{{slope{{y}} color_map{{[0 rgb 0][1 rgb 1]}}}} {plain}");
+    let floor = |textures: &str, expected: f32| check_grey(&format!("{CY} plane{{y,0 {textures}}}"), expected);
+    let map =
+        |low: &str, high: &str| format!("texture{{gradient x translate -.5*x texture_map{{[0 {low}][1 {high}]}}}}");
+    // The upper entry of a map is worked out first.
+    floor(&map(&bumped, &sloped), 0.5);
+    floor(&map(&sloped, &bumped), 0.478904);
+    let mean = |a: &str, b: &str, c: &str| format!("texture{{average texture_map{{[1 {a}][1 {b}][1 {c}]}}}}");
+    floor(&mean(&bumped, &sloped, &sloped), 0.638544);
+    floor(&mean(&sloped, &bumped, &sloped), 0.652598);
+    let film = format!("texture{{pigment{{rgbt 1}} {bumps} finish{{ambient 0 diffuse 0}}}}");
+    floor(&format!("texture{{{sloped}}} {film}"), 0.957809);
+    floor(&format!("{film} texture{{{sloped}}}"), 1.0);
+}

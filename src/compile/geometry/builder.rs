@@ -7,6 +7,7 @@ use super::census::Census;
 use super::labels::Labeler;
 use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
+use super::quadric_reach::within;
 use crate::compiled::geometry::{
     Geometry, Group, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, MeshTree, Node, NodeKind, ObjectId, Operation,
     Parts, Primitive, Shape as Compiled, TextureId, padded,
@@ -271,12 +272,27 @@ impl<'a> Builder<'a> {
             node.extent = node.extent.intersection(&clip.extent);
             node.gap = node.gap.union(&clip.gap);
         }
+        if !node.clips.is_empty()
+            && let NodeKind::Primitive(p) = node.kind
+        {
+            let primitive = &self.geometry.primitives[p as usize];
+            node.bounds = within(primitive, &node.bounds, true);
+            node.extent = within(primitive, &node.extent, false);
+        }
         if is_root && let Some(shrunken) = super::extent::shrunken(object) {
             let place = &around.group_from_parent;
             node.bounds = node.bounds.intersection(&padded(place.bounds(&shrunken)));
         }
         self.geometry.nodes[index] = node;
         Some(index as u32)
+    }
+
+    /// The part of a box that a node's surface, or its surface and inside, can reach.
+    fn reach(&self, node: u32, around: &Bounds, surface_only: bool) -> Bounds {
+        match self.geometry.nodes[node as usize].kind {
+            NodeKind::Primitive(p) => within(&self.geometry.primitives[p as usize], around, surface_only),
+            NodeKind::Csg { .. } => *around,
+        }
     }
 
     /// Whether cut faces of a solid look for textures: only where there is one to find.
@@ -329,13 +345,14 @@ impl<'a> Builder<'a> {
                 let others = built.iter().enumerate().filter(|(i, _)| *i != skip);
                 others.fold(Bounds::INFINITE, |b, (_, n)| b.intersection(&nodes[*n as usize].extent))
             };
-            node.extent = common(usize::MAX);
+            let inside = |n: u32, around: Bounds| self.reach(n, &around, false);
+            node.extent = built.iter().fold(common(usize::MAX), |around, n| inside(*n, around));
             // A child's surface survives only inside the others; quadratic, so only for a few.
             if built.len() <= 16 {
-                node.bounds = built
-                    .iter()
-                    .enumerate()
-                    .fold(Bounds::EMPTY, |sum, (i, n)| sum.union(&nodes[*n as usize].bounds.intersection(&common(i))));
+                node.bounds = built.iter().enumerate().fold(Bounds::EMPTY, |sum, (i, n)| {
+                    let around = nodes[*n as usize].bounds.intersection(&common(i)).intersection(&node.extent);
+                    sum.union(&self.reach(*n, &around, true))
+                });
             } else if let Some(first) = built.first() {
                 // Whatever survives lies on one child and inside all others.
                 let rest = nodes[*first as usize].bounds.union(&nodes[*first as usize].extent);

@@ -11,6 +11,7 @@ mod lights;
 mod looks;
 mod patch;
 mod primitive;
+mod quadric_reach;
 mod sweep;
 #[cfg(test)]
 mod tests;
