@@ -127,7 +127,7 @@ impl HeightGrid {
             let opposite = DVec3::new(((i + 1) << n) as f64, high, ((k + 1) << n) as f64) + pad;
             let (a, b) = ((corner - o) * inverse, (opposite - o) * inverse);
             let (enter, leave) = (a.min(b).max_element(), a.max(b).min_element());
-            if !(enter.max(range.min) <= leave.min(t_max)) || high < floor {
+            if enter.max(range.min) > leave.min(t_max) || high < floor {
                 continue;
             }
             if n == 0 {
