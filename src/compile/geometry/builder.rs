@@ -249,7 +249,12 @@ impl<'a> Builder<'a> {
                 node.look = self.add_look(Context { cutaway_root: None, ..inside.clone() }.look(id));
                 self.combine(*operation, children, &inside, id, &mut node);
             }
-            Shape::LightGroup { .. } => return None,
+            Shape::LightGroup { children, .. } => {
+                inside.light_group = Some(crate::compiled::geometry::LightGroupId(self.n_light_groups));
+                self.n_light_groups += 1;
+                node.look = self.add_look(inside.look(id));
+                self.combine(CsgOperation::Union, children, &inside, id, &mut node);
+            }
             _ => {
                 let primitive = self.primitive(object, &inside, id)?;
                 let compiled = &self.geometry.primitives[primitive as usize];
@@ -271,6 +276,15 @@ impl<'a> Builder<'a> {
             node.bounds = node.bounds.intersection(&clip.extent);
             node.extent = node.extent.intersection(&clip.extent);
             node.gap = node.gap.union(&clip.gap);
+            // A height field is solid below its box, but POV-Ray looks at nothing clipped by it for rays that
+            // miss the box.
+            if let NodeKind::Primitive(p) = clip.kind
+                && let primitive = &self.geometry.primitives[p as usize]
+                && matches!(primitive.shape, Compiled::HeightField(_))
+                && !primitive.inverse
+            {
+                node.bounds = node.bounds.intersection(&primitive.bounds());
+            }
         }
         if !node.clips.is_empty()
             && let NodeKind::Primitive(p) = node.kind
