@@ -32,16 +32,51 @@ pub struct Outcome {
     pub metadata: Metadata,
     /// Everything worth mentioning.
     pub warnings: Vec<Diagnostic>,
-    /// The files that were read, to show the warnings.
+    /// The files that were read, to show the warnings; large ones must be [restored](SourceMap::restored).
     pub sources: SourceMap,
     /// Time of each stage.
     pub timings: Timings,
 }
 
+/// A scene that is ready to be rendered.
+#[derive(Debug)]
+pub struct Ready {
+    /// What rays meet.
+    pub compiled: Compiled,
+    /// Everything worth mentioning; those of [`Compiled`] have moved here.
+    pub warnings: Vec<Diagnostic>,
+    /// The files that were read, to show the warnings; large ones must be [restored](SourceMap::restored).
+    pub sources: SourceMap,
+    /// Time of each stage.
+    pub timings: Timings,
+}
+
+/// From a scene file to a world: all that can go wrong with a scene goes wrong here.
+///
+/// # Errors
+/// What is wrong with the scene, with the files needed to show it (large ones must be
+/// [restored](SourceMap::restored)).
+pub fn compile_file(scene: &Path, reading: &eval::Options, host: &dyn Host) -> Result<Ready, Box<Failed>> {
+    let mut timings = Timings::default();
+    let Evaluated { scene: description, mut warnings, mut sources } =
+        timings.time("read", || eval::evaluate(scene, reading, host, &Queries::default()))?;
+    sources.release_large();
+    match timings.time("compile", || compile::compile(&description)) {
+        Ok(mut compiled) => {
+            warnings.append(&mut compiled.warnings);
+            Ok(Ready { compiled, warnings, sources, timings })
+        }
+        Err(errors) => {
+            warnings.extend(errors);
+            Err(Box::new(Failed { diagnostics: warnings, sources }))
+        }
+    }
+}
+
 /// From a scene file to a picture.
 ///
 /// # Errors
-/// What is wrong with the scene, with the files needed to show it.
+/// Those of [`compile_file`].
 pub fn render_file(
     scene: &Path,
     reading: &eval::Options,
@@ -49,18 +84,8 @@ pub fn render_file(
     host: &dyn Host,
     progress: Progress<'_>,
 ) -> Result<Outcome, Box<Failed>> {
-    let mut timings = Timings::default();
-    let Evaluated { scene: description, mut warnings, sources } =
-        timings.time("read", || eval::evaluate(scene, reading, host, &Queries::default()))?;
-    let Compiled { world, warnings: more, watched } = match timings.time("compile", || compile::compile(&description)) {
-        Ok(compiled) => compiled,
-        Err(errors) => {
-            warnings.extend(errors);
-            return Err(Box::new(Failed { diagnostics: warnings, sources }));
-        }
-    };
-    warnings.extend(more);
-    drop(description);
+    let Ready { compiled, mut warnings, sources, mut timings } = compile_file(scene, reading, host)?;
+    let Compiled { world, watched, .. } = compiled;
     let start = Instant::now();
     let rendered = timings.time("render", || render::render(&world, options, progress));
     warnings.extend(watched.iter().filter_map(Watched::warning));

@@ -2,8 +2,7 @@
 
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, messages};
-use crate::compile::Queries;
-use crate::eval;
+use crate::pipeline::{self, Ready};
 use std::process::ExitCode;
 
 /// What was typed.
@@ -13,14 +12,14 @@ pub(super) struct Arguments {
     scene: SceneArguments,
 }
 
-/// Reads the scene and shows what was found.
+/// Reads and compiles the scene and shows all that rendering it would say.
 pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let scene = &arguments.scene;
     let (width, height) = super::render::DEFAULT_SIZE;
-    match eval::evaluate(&scene.scene, &scene.reading(width, height), &scene.host(), &Queries::default()) {
-        Ok(read) => {
-            scene.messages.show(&read.warnings, &read.sources);
-            let wanted = scene.messages.wanted(&read.warnings);
+    match pipeline::compile_file(&scene.scene, &scene.reading(width, height), &scene.host()) {
+        Ok(Ready { warnings, sources, .. }) => {
+            scene.messages.show(&warnings, &sources);
+            let wanted = scene.messages.wanted(&warnings);
             let found = messages::count(&wanted).unwrap_or_else(|| "no complaints".into());
             scene.messages.remark(format_args!("{}: {found}", scene.scene.display()));
             ExitCode::SUCCESS

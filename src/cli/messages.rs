@@ -50,10 +50,15 @@ impl Manner {
     /// Shows the messages that are wanted, colourful on a terminal.
     pub(super) fn show(&self, diagnostics: &[Diagnostic], sources: &SourceMap) {
         let color = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-        for diagnostic in self.wanted(diagnostics) {
+        let wanted = self.wanted(diagnostics);
+        if wanted.is_empty() {
+            return;
+        }
+        let sources = sources.restored(|name| std::fs::read(name).ok());
+        for diagnostic in wanted {
             let text = match self.message_format {
-                Format::Text => diagnostic.render(sources, color),
-                Format::Json => diagnostic.to_json(sources) + "\n",
+                Format::Text => diagnostic.render(&sources, color),
+                Format::Json => diagnostic.to_json(&sources) + "\n",
             };
             let _ = write!(std::io::stderr(), "{text}");
         }

@@ -22,9 +22,11 @@ impl Diagnostic {
     ///
     /// Of a long line only the part around the place is shown.
     pub fn render(&self, sources: &SourceMap, color: bool) -> String {
-        let Some(span) = self.span else {
+        let Some(span) = self.span.filter(|span| !sources.is_released(*span)) else {
             let hints: String = self.hints.iter().map(|h| format!("  help: {h}\n")).collect();
-            return format!("{}: {}\n{hints}", self.head(), self.message);
+            let file = self.span.and_then(|span| sources.file(span.file));
+            let place = file.map_or_else(String::new, |file| format!(" (in {})", file.name));
+            return format!("{}: {}{place}\n{hints}", self.head(), self.message);
         };
         let (shown, place) = (sources.excerpt(span), sources.line_column(span));
         let ink = match self.severity {

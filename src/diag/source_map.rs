@@ -28,8 +28,10 @@ pub struct SourceMap {
 pub struct SourceFile {
     /// What messages call it.
     pub name: String,
-    /// Its bytes, which need not be text.
+    /// Its bytes, which need not be text; none while they are [released](SourceMap::release_large).
     pub text: Arc<Vec<u8>>,
+    /// How many bytes were released.
+    released: usize,
 }
 
 /// A place as people count: both from 1, columns in characters.
@@ -57,10 +59,13 @@ pub struct Excerpt {
 /// Most characters of a line that are shown before and behind a place.
 const WINDOW: usize = 100;
 
+/// Bytes from which the text of a file is worth releasing.
+const LARGE: usize = 1 << 20;
+
 impl SourceMap {
     /// Takes in a file.
     pub fn add(&mut self, name: impl Into<String>, text: Arc<Vec<u8>>) -> FileId {
-        self.files.push(SourceFile { name: name.into(), text });
+        self.files.push(SourceFile { name: name.into(), text, released: 0 });
         FileId((self.files.len() - 1) as u32)
     }
 
@@ -72,6 +77,31 @@ impl SourceMap {
     /// All files in order of reading.
     pub fn files(&self) -> &[SourceFile] {
         &self.files
+    }
+
+    /// Lets go of the text of large files, meshes mostly, once they have been read: nobody may ever want to see it.
+    pub fn release_large(&mut self) {
+        for file in self.files.iter_mut().filter(|file| file.text.len() > LARGE) {
+            file.released = file.text.len();
+            file.text = Arc::default();
+        }
+    }
+
+    /// With the text of released files, if `read` still finds as many bytes under their names.
+    #[must_use]
+    pub fn restored(&self, read: impl Fn(&str) -> Option<Vec<u8>>) -> Self {
+        let mut all = self.clone();
+        for file in all.files.iter_mut().filter(|file| file.released > 0) {
+            if let Some(text) = read(&file.name).filter(|text| text.len() == file.released) {
+                (file.text, file.released) = (Arc::new(text), 0);
+            }
+        }
+        all
+    }
+
+    /// Whether the text of a span cannot be shown.
+    pub fn is_released(&self, span: Span) -> bool {
+        self.file(span.file).is_some_and(|file| file.released > 0)
     }
 
     /// The bytes of a span; empty if it lies outside of its file.
@@ -145,6 +175,20 @@ mod tests {
         check(b"ab", 7, 9, (1, 3, "ab", 2, 3));
         check("é\u{2192}x".as_bytes(), 5, 6, (1, 3, "é\u{2192}x", 2, 3));
         check(b"\xff\xfex", 2, 3, (1, 3, "\u{fffd}\u{fffd}x", 2, 3));
+    }
+
+    #[test]
+    fn large_files_are_released_until_they_are_shown() {
+        let mut map = SourceMap::default();
+        let text = [b"// a\nsphere".to_vec(), vec![b' '; LARGE]].concat();
+        let file = map.add("a", Arc::new(text.clone()));
+        let span = Span { file, start: 5, end: 11 };
+        map.release_large();
+        assert!(map.is_released(span) && map.bytes(span).is_empty());
+        let other = map.restored(|_| Some(b"something else".to_vec()));
+        assert!(other.is_released(span), "the file has changed");
+        let again = map.restored(|name| (name == "a").then(|| text.clone()));
+        assert_eq!((again.bytes(span), again.line_column(span).line), (&b"sphere"[..], 2));
     }
 
     #[test]

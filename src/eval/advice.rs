@@ -2,7 +2,7 @@
 
 use super::{Evaluator, Value};
 use crate::diag::nearest;
-use crate::syntax::{Directive, Keyword, Token, TokenKind};
+use crate::syntax::{Directive, Keyword, Keyword as K, Token, TokenKind};
 
 /// What was found instead of what was expected.
 enum Found<'a> {
@@ -65,6 +65,10 @@ fn in_block(block: &str, found: &Found<'_>) -> Option<String> {
             _ => format!("is the '}}' of the {block} missing before it?"),
         },
         Found::Sign(',') => "no ',' belongs here".into(),
+        Found::Keyword(K::X | K::Y | K::Z) => "is a '*' missing before it, as in 30 * x?".into(),
+        Found::Number | Found::Sign('<') => {
+            "is a ',' or an operator missing before it, or a word such as scale?".into()
+        }
         _ => return None,
     })
 }
@@ -93,7 +97,6 @@ fn elsewhere(expected: &str, found: &Found<'_>) -> Option<String> {
 }
 
 fn is_camera_type(word: Keyword) -> bool {
-    use Keyword as K;
     matches!(
         word,
         K::Perspective | K::Orthographic | K::Fisheye | K::UltraWideAngle | K::Omnimax | K::Panoramic | K::Spherical

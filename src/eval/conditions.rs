@@ -39,10 +39,10 @@ impl Evaluator<'_> {
     pub(super) fn run_else(&mut self, span: Span) -> SourceResult<()> {
         match self.open_blocks.last().map(|b| &b.kind) {
             Some(BlockKind::If { last: false }) => self.end_branches(),
-            Some(BlockKind::If { last: true }) => self.error(span, "this #if already had its #else"),
+            Some(BlockKind::If { last: true }) => self.mismatched(span, "this #if already had its #else"),
             // Cases fall through into the #else of their #switch.
             Some(BlockKind::Switch { .. }) => Ok(()),
-            _ => self.error(span, "#else without an #if or #switch"),
+            _ => self.mismatched(span, "#else without an #if or #switch"),
         }
     }
 
@@ -50,8 +50,8 @@ impl Evaluator<'_> {
     pub(super) fn run_elseif(&mut self, span: Span) -> SourceResult<()> {
         match self.open_blocks.last().map(|b| &b.kind) {
             Some(BlockKind::If { last: false }) => self.end_branches(),
-            Some(BlockKind::If { last: true }) => self.error(span, "#elseif behind the #else of its #if"),
-            _ => self.error(span, "#elseif without an #if"),
+            Some(BlockKind::If { last: true }) => self.mismatched(span, "#elseif behind the #else of its #if"),
+            _ => self.mismatched(span, "#elseif without an #if"),
         }
     }
 
@@ -73,7 +73,7 @@ impl Evaluator<'_> {
     /// `#case` and `#range`: the first one of a `#switch`, or one that is fallen into.
     pub(super) fn run_case(&mut self, mut directive: Directive, span: Span) -> SourceResult<()> {
         let Some(Block { kind: BlockKind::Switch { value, matched }, .. }) = self.open_blocks.last() else {
-            return self.error(span, format!("#{} without a #switch", directive.word()));
+            return self.mismatched(span, format!("#{} without a #switch", directive.word()));
         };
         let (value, fallen_into) = (*value, *matched);
         loop {

@@ -4,7 +4,7 @@
 //! A loop is a jump back within a cursor; an include or a macro call pushes one.
 
 use super::Evaluator;
-use super::scope::TableId;
+use super::scope::{Scopes, TableId};
 use crate::diag::{Diagnostic, SourceResult, Span};
 use crate::syntax::formula::Formula;
 use crate::syntax::vectors::read_vector;
@@ -23,6 +23,8 @@ pub(super) struct Cursor {
     /// Where a macro body ends; the end of the file otherwise.
     end: Option<Position>,
     run: Option<Run>,
+    /// Its end is reported instead of going on below: a macro within a formula.
+    pub(super) fenced: bool,
     pub(super) role: Role,
     /// How many blocks were open when it started.
     pub(super) blocks: usize,
@@ -64,6 +66,7 @@ impl Cursor {
             limit: 0,
             end,
             run: None,
+            fenced: false,
             role,
             blocks: 0,
             call: Span::default(),
@@ -73,6 +76,25 @@ impl Cursor {
     /// Where it stands.
     pub(super) fn position(&self) -> Position {
         Position { piece: self.piece, index: self.index as u32 }
+    }
+
+    /// Which token of the current piece comes next.
+    pub(super) fn index(&self) -> usize {
+        self.index
+    }
+
+    /// Lets the token that was read last come again.
+    pub(super) fn step_back(&mut self) {
+        if self.run.is_none() {
+            self.index = self.index.saturating_sub(1);
+        }
+    }
+
+    /// Makes its first piece the current one.
+    pub(super) fn enter(&mut self, names: &mut Names) {
+        if self.tokens.is_none() {
+            self.load(self.piece, names);
+        }
     }
 
     /// Whether it reads the body of a macro.
@@ -189,7 +211,7 @@ impl Cursor {
     /// The formula that begins with the held back token, or else with the next one, and the
     /// index of its first token.
     #[inline]
-    pub(super) fn formula(&self, held: Option<&Token>, full: bool) -> Option<(Rc<Formula>, usize)> {
+    pub(super) fn formula(&self, held: Option<&Token>, full: bool, scopes: &Scopes) -> Option<(Rc<Formula>, usize)> {
         let piece = self.tokens.as_ref()?;
         if self.run.is_some() {
             return None;
@@ -208,15 +230,15 @@ impl Cursor {
         if start >= self.limit {
             return None;
         }
-        Some((piece.formula(start, full, self.source.text())?, start))
+        Some((piece.formula(start, full, self.source.text(), &|name| scopes.is_macro(name))?, start))
     }
 
     /// The formula that begins `n` tokens further on, and the index of its first token.
-    pub(super) fn formula_behind(&self, n: usize, full: bool) -> Option<(Rc<Formula>, usize)> {
+    pub(super) fn formula_behind(&self, n: usize, full: bool, scopes: &Scopes) -> Option<(Rc<Formula>, usize)> {
         let start = self.index + n;
         let piece = self.tokens.as_ref()?;
         (start < self.limit).then_some(())?;
-        Some((piece.formula(start, full, self.source.text())?, start))
+        Some((piece.formula(start, full, self.source.text(), &|name| scopes.is_macro(name))?, start))
     }
 
     /// The token `n` places further on, if it belongs to the current piece.
@@ -293,6 +315,9 @@ impl Evaluator<'_> {
                     return self.error(token.span, what.message());
                 }
                 return Ok(token);
+            }
+            if cursor.fenced {
+                return Ok(Token { kind: TokenKind::End, span: self.last_span });
             }
             self.leave_cursor()?;
         }

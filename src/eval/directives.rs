@@ -60,7 +60,13 @@ impl Evaluator<'_> {
         if case_wanted && matches!(directive, Directive::Else | Directive::End) {
             return self.error(span, "a #switch needs at least one #case or #range");
         }
-        self.dispatch(directive, span)?;
+        let in_scene = self.cursors.len() == 1;
+        if let Err(errors) = self.dispatch(directive, span) {
+            if directive.opens_block() && in_scene {
+                self.unopened = Some(span);
+            }
+            return Err(errors);
+        }
         self.case_wanted |= case_wanted && !matches!(directive, Directive::Case | Directive::Range);
         self.nesting = self.nesting.saturating_sub(1);
         self.bare = bare;
@@ -128,6 +134,7 @@ impl Evaluator<'_> {
         self.semicolon(false)?;
         let hundredths = (value * 100.0).round();
         if hundredths > 370.0 {
+            self.given_up.set(true);
             return self.error(span, format!("version {value} is newer than 3.7, the newest that is supported"));
         }
         if !self.version_given && !self.scene.objects.is_empty() {
@@ -150,7 +157,10 @@ impl Evaluator<'_> {
     fn run_message(&mut self, directive: Directive, span: Span) -> SourceResult<()> {
         let text = self.string()?;
         let stream = match directive {
-            Directive::Error => return self.error(span, format!("#error: {}", text.trim_end())),
+            Directive::Error => {
+                self.given_up.set(true);
+                return self.error(span, format!("#error: {}", text.trim_end()));
+            }
             Directive::Warning => {
                 let line = text.replace('\n', " ");
                 self.warn(Topic::Scene, span, line.trim_end());

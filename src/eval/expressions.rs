@@ -96,7 +96,7 @@ impl Evaluator<'_> {
         Ok(value)
     }
 
-    fn want_float(&self, value: Number, span: Span) -> SourceResult<f64> {
+    pub(super) fn want_float(&self, value: Number, span: Span) -> SourceResult<f64> {
         match value.n {
             1 => Ok(value.v[0]),
             5 => self.error(span, "expected a float, found a colour"),
@@ -235,7 +235,7 @@ impl Evaluator<'_> {
         self.arithmetic_by_tokens(n)
     }
 
-    fn arithmetic_by_tokens(&mut self, n: u8) -> SourceResult<Number> {
+    pub(super) fn arithmetic_by_tokens(&mut self, n: u8) -> SourceResult<Number> {
         let first = self.term(n)?;
         self.sum_from(first, n)
     }

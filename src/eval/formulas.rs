@@ -5,8 +5,10 @@
 
 use super::expressions::{EPSILON, truth};
 use super::float_functions::{largest, one_argument, selected, smallest, two_arguments, within_bounds};
+use super::vector_functions::rotated_about;
 use super::{Evaluator, Number, Place, Value};
 use crate::diag::{SourceResult, Span};
+use crate::math::{DVec3, Transform};
 use crate::syntax::formula::{Demand, Formula, List, Node, NodeId, Operator};
 use crate::syntax::{Keyword, Symbol, TokenKind};
 use smallvec::SmallVec;
@@ -41,7 +43,7 @@ impl Evaluator<'_> {
     fn known_formula(&mut self, full: bool, n: u8, names: bool) -> SourceResult<Option<Number>> {
         let Some(cursor) = self.cursors.last() else { return Ok(None) };
         let held = usize::from(self.ahead.is_some());
-        let Some((formula, start)) = cursor.formula(self.ahead.as_ref(), full) else { return Ok(None) };
+        let Some((formula, start)) = cursor.formula(self.ahead.as_ref(), full, &self.scopes) else { return Ok(None) };
         if formula.open_ended && !self.bare
             || !names && matches!(formula.nodes.last(), Some(Node::Name(_) | Node::Element(..)))
         {
@@ -53,7 +55,8 @@ impl Evaluator<'_> {
         Ok(Some(value))
     }
 
-    fn value_of(&mut self, formula: &Rc<Formula>, start: usize, n: u8) -> SourceResult<Option<Number>> {
+    /// What a formula gives in a place of width `n`; its first token is number `start` of the piece.
+    pub(super) fn value_of(&mut self, formula: &Rc<Formula>, start: usize, n: u8) -> SourceResult<Option<Number>> {
         let reading = self.reading(formula);
         let walk = Walk { formula, start };
         let root = (formula.nodes.len() - 1) as NodeId;
@@ -77,7 +80,7 @@ impl Evaluator<'_> {
         if self.ahead.is_some() || self.version < 150 || cursor.upcoming(0) != Some(TokenKind::Punct('(')) {
             return Ok(None);
         }
-        let Some((formula, start)) = cursor.formula_behind(1, true) else { return Ok(None) };
+        let Some((formula, start)) = cursor.formula_behind(1, true, &self.scopes) else { return Ok(None) };
         if cursor.upcoming(1 + formula.length) != Some(TokenKind::Punct(')')) {
             return Ok(None);
         }
@@ -101,7 +104,7 @@ impl Evaluator<'_> {
         if self.ahead.is_some() || self.version < 350 {
             return Ok(false);
         }
-        let Some((formula, start)) = cursor.formula_behind(2, false) else { return Ok(false) };
+        let Some((formula, start)) = cursor.formula_behind(2, false, &self.scopes) else { return Ok(false) };
         let end = 2 + formula.length;
         let alone = cursor.upcoming(end) == Some(TokenKind::Punct(';'))
             && cursor.upcoming(end + 1).is_some_and(|next| next != TokenKind::Punct(';'));
@@ -132,7 +135,8 @@ impl Evaluator<'_> {
         for (name, demand) in &formula.demands {
             let Some(place) = self.scopes.find(*name) else { return Reading::Tokens };
             let fits = place.with(|value| match (value, demand) {
-                (Some(Value::Float(_)), Demand::Float | Demand::Number) => true,
+                (Some(Value::Float(_)), Demand::Float | Demand::Number | Demand::Operand) => true,
+                (Some(Value::Vector(_)), Demand::Operand) => true,
                 (Some(Value::Float(_)), Demand::Component(index)) => *index == 0,
                 (Some(Value::Vector(_)), Demand::Number) => {
                     reading = Reading::Number;
@@ -143,13 +147,14 @@ impl Evaluator<'_> {
                     array.dimensions.len() == usize::from(*n) && matches!(array.sample(), Some(Value::Float(_)))
                 }
                 (Some(Value::Function(f)), Demand::Function(n)) => f.n_parameters == usize::from(*n) && f.width() == 1,
+                (value, Demand::Reference) => Self::is_reference(value),
                 _ => false,
             });
             if !fits {
                 return Reading::Tokens;
             }
         }
-        reading
+        if formula.calls.iter().all(|call| self.gives_operand(call)) { reading } else { Reading::Tokens }
     }
 
     /// A node whose operands are all floats.
@@ -185,14 +190,35 @@ impl Evaluator<'_> {
                 });
                 Ok(function.map_or(f64::NAN, |f| f.call(&arguments)[0]))
             }
-            Node::ComponentOf(inner, index) => Ok(self.walk(walk, inner, 1)?.v[usize::from(index)]),
-            Node::Axes(..) | Node::Vector(_) => Ok(self.walk(walk, id, 1)?.v[0]),
+            Node::ComponentOf(inner, index, token) => {
+                let value = self.walk(walk, inner, 1)?;
+                if index < value.n {
+                    return Ok(value.v[usize::from(index)]);
+                }
+                let (span, n) = (self.token_span(walk, token), value.n);
+                self.error(span, format!("there is no component of that name in a value of width {n}"))
+            }
+            Node::VectorCall(Keyword::Vlength, list, token) => {
+                Ok(self.walk_vector(walk, walk.item(list, 0), token)?.length())
+            }
+            Node::VectorCall(Keyword::Vdot, list, token) => {
+                let a = self.walk_vector(walk, walk.item(list, 0), token)?;
+                Ok(a.dot(self.walk_vector(walk, walk.item(list, 1), token)?))
+            }
+            Node::Macro(call) => {
+                let call = &walk.formula.calls[usize::from(call)];
+                let value = self.walk_macro(walk, call, 1)?;
+                let span = self.token_span(walk, call.token);
+                self.want_float(value, span)
+            }
+            Node::Axes(..) | Node::Vector(_) | Node::VectorCall(..) => Ok(self.walk(walk, id, 1)?.v[0]),
         }
     }
 
     /// Any node, in a place of width `n`.
-    fn walk(&mut self, walk: &Walk<'_>, id: NodeId, n: u8) -> SourceResult<Number> {
+    pub(super) fn walk(&mut self, walk: &Walk<'_>, id: NodeId, n: u8) -> SourceResult<Number> {
         let value = match walk.formula.nodes[id as usize] {
+            Node::Constant(value) => Number::scalar(value),
             Node::Axes(v, n) => Number { n, v: [v[0], v[1], v[2], 0.0, 0.0] },
             Node::Vector(list) => {
                 let mut value = Number { n: list.n, v: [0.0; 5] };
@@ -224,9 +250,37 @@ impl Evaluator<'_> {
                 let (yes, no) = (self.walk(walk, yes, n)?, self.walk(walk, no, n)?);
                 if truth(condition) { yes } else { no }
             }
+            Node::VectorCall(word, list, token) if !matches!(word, Keyword::Vlength | Keyword::Vdot) => {
+                Number::vector(self.walk_vector_call(walk, word, list, token)?)
+            }
+            Node::Macro(call) => self.walk_macro(walk, &walk.formula.calls[usize::from(call)], n)?,
             _ => Number::scalar(self.walk_float(walk, id)?),
         };
         Ok(value.widened(n))
+    }
+
+    /// An argument of a vector function.
+    fn walk_vector(&mut self, walk: &Walk<'_>, id: NodeId, token: u16) -> SourceResult<DVec3> {
+        let value = self.walk(walk, id, 3)?;
+        if value.n > 3 {
+            let (span, found) = (self.token_span(walk, token), value.n);
+            return self.error(span, format!("expected a vector of 3 components, found one of {found}"));
+        }
+        Ok(value.xyz())
+    }
+
+    fn walk_vector_call(&mut self, walk: &Walk<'_>, word: Keyword, list: List, token: u16) -> SourceResult<DVec3> {
+        let a = self.walk_vector(walk, walk.item(list, 0), token)?;
+        if word == Keyword::Vnormalize {
+            let span = self.token_span(walk, token);
+            return Ok(self.normalized(a, span));
+        }
+        let b = self.walk_vector(walk, walk.item(list, 1), token)?;
+        Ok(match word {
+            Keyword::Vcross => a.cross(b),
+            Keyword::Vrotate => Transform::rotation_deg(b).vector(a),
+            _ => rotated_about(a, b, self.walk_float(walk, walk.item(list, 2))?),
+        })
     }
 
     fn component_of_name(&self, name: Symbol, index: u8) -> f64 {
@@ -243,25 +297,39 @@ impl Evaluator<'_> {
     }
 
     fn walk_element(&mut self, walk: &Walk<'_>, name: Symbol, indices: List, token: u16) -> SourceResult<f64> {
-        let indices = self.walk_list(walk, indices)?;
-        let span = self.token_span(walk, token);
-        let found = self.scopes.find(name).map(|place| {
-            place.with(|value| {
-                let Some(Value::Array(array)) = value else { return Ok(f64::NAN) };
-                let mut flat = 0;
-                for (index, size) in indices.iter().zip(&array.dimensions) {
-                    flat = flat * size + super::arrays::whole_index(*index, *size)?;
-                }
-                match array.elements.get(flat) {
-                    Some(Some(Value::Float(f))) => Ok(*f),
-                    _ => Err("this array element was never set".to_owned()),
-                }
-            })
+        let (place, flat) = self.walk_index(walk, name, indices, token)?;
+        let found = place.with(|value| match value {
+            Some(Value::Array(array)) => array.elements.get(flat).and_then(Option::as_ref).and_then(Value::number),
+            _ => None,
         });
         match found {
-            Some(Ok(value)) => Ok(value),
-            Some(Err(message)) => self.error(span, message),
-            None => Ok(f64::NAN),
+            Some(number) => Ok(number.v[0]),
+            None => self.error(self.token_span(walk, token), "this array element was never set"),
+        }
+    }
+
+    /// An array and the flat index of an element of it.
+    pub(super) fn walk_index(
+        &mut self,
+        walk: &Walk<'_>,
+        name: Symbol,
+        indices: List,
+        token: u16,
+    ) -> SourceResult<(Place, usize)> {
+        let indices = self.walk_list(walk, indices)?;
+        let span = self.token_span(walk, token);
+        let Some(place) = self.scopes.find(name).cloned() else { return self.undeclared(name, span) };
+        let flat: Result<usize, String> = place.with(|value| {
+            let Some(Value::Array(array)) = value else { return Ok(0) };
+            let mut flat = 0;
+            for (index, size) in indices.iter().zip(&array.dimensions) {
+                flat = flat * size + super::arrays::whole_index(*index, *size)?;
+            }
+            Ok(flat)
+        });
+        match flat {
+            Ok(flat) => Ok((place, flat)),
+            Err(message) => self.error(span, message),
         }
     }
 
@@ -276,16 +344,19 @@ impl Evaluator<'_> {
                 None => self.no_stream(self.token_span(walk, token)),
             };
         }
-        let mut values: SmallVec<[f64; 8]> = SmallVec::new();
-        values.push(first);
-        for i in 1..usize::from(list.n) {
-            values.push(self.walk_float(walk, walk.item(list, i))?);
-        }
         let value = match word {
-            Keyword::Max => Ok(largest(&values)),
-            Keyword::Min => Ok(smallest(&values)),
-            Keyword::Select => Ok(selected(&values)),
-            _ if values.len() == 2 => two_arguments(word, values[0], values[1]),
+            Keyword::Max | Keyword::Min | Keyword::Select => {
+                let mut values: SmallVec<[f64; 8]> = SmallVec::from_slice(&[first]);
+                for i in 1..usize::from(list.n) {
+                    values.push(self.walk_float(walk, walk.item(list, i))?);
+                }
+                Ok(match word {
+                    Keyword::Max => largest(&values),
+                    Keyword::Min => smallest(&values),
+                    _ => selected(&values),
+                })
+            }
+            _ if list.n == 2 => two_arguments(word, first, self.walk_float(walk, walk.item(list, 1))?),
             _ => within_bounds(word, first),
         };
         match value {
@@ -295,19 +366,19 @@ impl Evaluator<'_> {
     }
 
     /// Where a token of the formula stands.
-    fn token_span(&self, walk: &Walk<'_>, token: u16) -> Span {
+    pub(super) fn token_span(&self, walk: &Walk<'_>, token: u16) -> Span {
         self.cursors.last().map_or(self.last_span, |c| c.span_of(walk.start + usize::from(token)))
     }
 }
 
 /// A formula and the index of its first token in the current piece.
-struct Walk<'f> {
-    formula: &'f Rc<Formula>,
-    start: usize,
+pub(super) struct Walk<'f> {
+    pub(super) formula: &'f Formula,
+    pub(super) start: usize,
 }
 
 impl Walk<'_> {
-    fn item(&self, list: List, i: usize) -> NodeId {
+    pub(super) fn item(&self, list: List, i: usize) -> NodeId {
         self.formula.lists[usize::from(list.start) + i]
     }
 }

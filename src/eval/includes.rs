@@ -2,7 +2,7 @@
 
 use super::Evaluator;
 use super::cursor::{Cursor, Role};
-use super::standard_includes::{standard_include, standard_include_names};
+use super::standard_includes::{advice_on_file, standard_include, standard_include_names};
 use crate::diag::{SourceResult, Span, nearest};
 use crate::syntax::Position;
 use std::path::{Path, PathBuf};
@@ -36,15 +36,21 @@ impl Evaluator<'_> {
         if let Some(path) = self.find_file(name, extensions) {
             return match self.host.read(&path) {
                 Ok(text) => Ok((path, text)),
-                Err(error) => self.error(span, format!("cannot read {}: {error}", path.display())),
+                Err(error) => {
+                    self.given_up.set(true);
+                    self.error(span, format!("cannot read {}: {error}", path.display()))
+                }
             };
         }
         let mut names = extensions.iter().map(|extension| format!("{name}{extension}"));
         if let Some((name, text)) = names.find_map(|name| standard_include(&name).map(|text| (name, text))) {
             return Ok((PathBuf::from(format!("{name} (embedded)")), text.into()));
         }
-        let near = nearest(name, standard_include_names()).map(|near| format!("did you mean '{near}'?"));
-        let hint = near.unwrap_or_else(|| "folders to look in can be given with --include DIR".into());
+        self.given_up.set(true);
+        let near = || nearest(name, standard_include_names()).map(|near| format!("did you mean '{near}'?"));
+        let hint = advice_on_file(name)
+            .or_else(near)
+            .unwrap_or_else(|| "folders to look in can be given with --include DIR".into());
         self.error_with_hint(span, format!("cannot find the include file '{name}'"), hint)
     }
 

@@ -87,7 +87,7 @@ impl Evaluator<'_> {
     pub(super) fn run_end(&mut self, span: Span) -> SourceResult<()> {
         let floor = self.cursors.last().map_or(0, |c| if c.is_macro() { c.blocks } else { 0 });
         if self.open_blocks.len() <= floor {
-            return self.error(span, "#end without anything to end");
+            return self.mismatched(span, "#end without anything to end");
         }
         let depth = self.cursors.len();
         match self.open_blocks.last().map(|block| (&block.kind, block.span)) {

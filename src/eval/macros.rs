@@ -5,8 +5,9 @@ use super::declarations::Argument;
 use super::scope::Scopes;
 use super::{Evaluator, Macro, Place, Value};
 use crate::diag::{SourceResult, Span};
-use crate::syntax::{Position, TokenKind};
+use crate::syntax::{Position, TokenKind, formula};
 use smallvec::SmallVec;
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 impl Evaluator<'_> {
@@ -36,7 +37,7 @@ impl Evaluator<'_> {
         // The position behind the #end is never the first of a piece.
         let after = cursor.position();
         let end = Position { index: after.index.saturating_sub(1), ..after };
-        let made = Value::Macro(Rc::new(Macro { name, parameters, source, start, end }));
+        let made = Value::Macro(Rc::new(Macro { name, parameters, source, start, end, result: OnceCell::new() }));
         match self.scopes.find(name).cloned() {
             Some(place) if place.with(|v| matches!(v, Some(Value::Macro(_)))) => place.set(Some(made)),
             Some(place) if place.with(|v| matches!(v, Some(Value::Function(_)))) => {
@@ -56,6 +57,20 @@ impl Evaluator<'_> {
         self.nesting = self.nesting.saturating_sub(1);
         self.bare = bare;
         self.case_wanted = case_wanted;
+        self.enter_macro(called, arguments, span)?;
+        if called.result.get().is_none() {
+            self.find_result(called);
+        }
+        Ok(())
+    }
+
+    /// Opens a table with the parameters and a cursor over the body.
+    pub(super) fn enter_macro(
+        &mut self,
+        called: &Rc<Macro>,
+        arguments: SmallVec<[Argument; 4]>,
+        span: Span,
+    ) -> SourceResult<()> {
         self.count_step(span)?;
         self.macro_depth += 1;
         let limit = self.options.limits.macro_depth;
@@ -77,6 +92,18 @@ impl Evaluator<'_> {
         cursor.call = span;
         self.cursors.push(cursor);
         Ok(())
+    }
+
+    /// Finds out whether the body ends in an expression.
+    fn find_result(&mut self, called: &Macro) {
+        let (start, end) = (called.start, called.end);
+        let piece = called.source.tokens(start.piece as usize, &mut self.names);
+        let scopes = &self.scopes;
+        let result = piece.filter(|_| start.piece == end.piece).and_then(|piece| {
+            let range = start.index as usize..end.index as usize;
+            formula::result_of(&piece.tokens, range, called.source.text(), &|name| scopes.is_macro(name))
+        });
+        called.result.get_or_init(|| result);
     }
 
     fn macro_arguments(&mut self, called: &Macro, span: Span) -> SourceResult<SmallVec<[Argument; 4]>> {

@@ -1,7 +1,7 @@
 //! Errors and warnings with their place and the way there.
 
 use super::Evaluator;
-use super::standard_includes::declared_in;
+use super::standard_includes::{advice_on_texture, declared_in};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic, nearest};
 use crate::syntax::{Keyword, Symbol, Token, TokenKind};
 
@@ -24,7 +24,14 @@ impl Evaluator<'_> {
 
     /// A limit was met; `name` is the field of [`super::Limits`].
     pub(super) fn limit<T>(&self, span: Span, message: String, name: &str) -> SourceResult<T> {
+        self.given_up.set(true);
         self.error_with_hint(span, message, format!("if that is meant, raise it with --limit {name}=N"))
+    }
+
+    /// A directive that belongs to nothing: what follows would be taken for what it is not.
+    pub(super) fn mismatched<T>(&self, span: Span, message: impl Into<String>) -> SourceResult<T> {
+        self.given_up.set(true);
+        self.error(span, message)
     }
 
     /// "expected WHAT, found …" at the peeked token.
@@ -67,6 +74,9 @@ impl Evaluator<'_> {
         if let Some(file) = declared_in(self.names.word(name)) {
             return Some(format!("it is declared in a standard file: #include \"{file}\""));
         }
+        if let Some(advice) = advice_on_texture(self.names.word(name)) {
+            return Some(advice);
+        }
         let declared = self.scopes.names().map(|s| &**self.names.word(s));
         let words = Keyword::ALL.iter().map(|k| k.word());
         nearest(self.names.word(name), declared.chain(words)).map(|near| format!("did you mean '{near}'?"))
@@ -89,6 +99,11 @@ impl Evaluator<'_> {
             let warning = self.with_trace(Diagnostic::warning(topic, span, message));
             self.warnings.push(warning);
         }
+    }
+
+    /// A warning about the scene as a whole.
+    pub(super) fn remark(&mut self, topic: Topic, message: impl Into<String>) {
+        self.warnings.push(Diagnostic::warning(topic, Span::default(), message).without_place());
     }
 
     /// A warning that is given once for its topic.

@@ -34,11 +34,13 @@ mod geometry_functions;
 mod host;
 mod includes;
 mod loops;
+mod macro_results;
 mod macros;
 mod messages;
 mod options;
 mod printf;
 mod random;
+mod recovery;
 mod scope;
 mod standard_includes;
 mod strings;
@@ -48,6 +50,8 @@ mod value;
 mod vector_functions;
 mod vector_lists;
 
+#[cfg(test)]
+mod formula_probes;
 #[cfg(test)]
 mod probes;
 
@@ -59,7 +63,7 @@ pub use value::{Array, Macro, Number, Value};
 
 use crate::diag::{Diagnostic, FileId, SourceMap, SourceResult, Span, Topic};
 use crate::scene::{GeometryQueries, Scene};
-use crate::syntax::{Names, Position, Source, Token, TokenKind};
+use crate::syntax::{Names, Position, Source, Symbol, Token, TokenKind};
 use cursor::{Cursor, Role};
 use directives::Block;
 use files::OpenFile;
@@ -127,6 +131,14 @@ pub struct Evaluator<'h> {
     /// What was written to files that may not be written.
     unsaved: rustc_hash::FxHashMap<PathBuf, Vec<u8>>,
     warnings: Vec<Diagnostic>,
+    /// Errors behind which reading went on.
+    errors: Vec<Diagnostic>,
+    /// Names that an error kept from being declared.
+    undeclared_by_error: rustc_hash::FxHashSet<Symbol>,
+    /// The directive whose block an error kept from being opened.
+    unopened: Option<Span>,
+    /// Whether an error leaves nothing to go on with.
+    given_up: std::cell::Cell<bool>,
     warned: rustc_hash::FxHashSet<(Topic, u64)>,
     /// `utf8` strings, from a byte order mark or `charset`.
     pub(super) utf8: bool,
@@ -188,6 +200,10 @@ impl<'h> Evaluator<'h> {
             files: Vec::new(),
             unsaved: rustc_hash::FxHashMap::default(),
             warnings: Vec::new(),
+            errors: Vec::new(),
+            undeclared_by_error: rustc_hash::FxHashSet::default(),
+            unopened: None,
+            given_up: std::cell::Cell::new(false),
             warned: rustc_hash::FxHashSet::default(),
             utf8: false,
         }
@@ -215,15 +231,31 @@ impl<'h> Evaluator<'h> {
         self.declare_given(path);
         self.cursors.push(Cursor::new(source, (Position::default(), None), Role::Main));
         loop {
-            if self.peek()?.kind == TokenKind::End {
+            let start = self.statement_start();
+            let goes_on = match self.statement() {
+                Ok(goes_on) => goes_on,
+                Err(errors) => self.recover(start, errors),
+            };
+            if !goes_on {
                 break;
             }
-            if !self.hashless_directive()? && !self.scene_item()? {
-                return self.expected("an object, a block or a directive");
-            }
+        }
+        if !self.errors.is_empty() {
+            return Err(std::mem::take(&mut self.errors));
         }
         self.finish();
         Ok(())
+    }
+
+    /// Reads one object, block or directive of the scene; false at its end.
+    fn statement(&mut self) -> SourceResult<bool> {
+        if self.peek()?.kind == TokenKind::End {
+            return Ok(false);
+        }
+        if !self.hashless_directive()? && !self.scene_item()? {
+            return self.expected("an object, a block or a directive");
+        }
+        Ok(true)
     }
 
     /// What holds for the scene as a whole once all of it is read.
@@ -236,6 +268,15 @@ impl<'h> Evaluator<'h> {
                 Span::default(),
                 "this scene has no #version, so rules from before version 3.7 hold; start it with '#version 3.7;'",
             );
+        }
+        if self.version_given && self.version >= 370 && !self.defaults.gamma_given {
+            self.remark(
+                Topic::Version,
+                "assumed_gamma is not given, so 1.0 is taken; 'global_settings { assumed_gamma 1.0 }' says so",
+            );
+        }
+        if self.scene.objects.is_empty() {
+            self.remark(Topic::Geometry, "there are no objects in this scene");
         }
     }
 

@@ -3,6 +3,7 @@
 //! Each test holds the probes of one section of the language facts.
 
 use super::{Evaluator, Limits, Memory, NoQueries, Number, Options, Value, evaluate};
+use crate::diag::Severity;
 
 /// The error of reading a text, if there is one, and what it printed.
 fn read(files: &[(&str, &str)]) -> (Option<String>, String, Vec<String>) {
@@ -13,7 +14,10 @@ fn read(files: &[(&str, &str)]) -> (Option<String>, String, Vec<String>) {
     let result = evaluate("main.pov".as_ref(), &options, &host, &NoQueries);
     let (error, diagnostics) = match result {
         Ok(read) => (None, read.warnings),
-        Err(failed) => (failed.diagnostics.last().map(|d| d.message.clone()), failed.diagnostics),
+        Err(failed) => {
+            let first = failed.diagnostics.iter().find(|d| d.severity == Severity::Error);
+            (first.map(|d| d.message.clone()), failed.diagnostics)
+        }
     };
     (error, host.messages(), diagnostics.into_iter().map(|d| d.message).collect())
 }

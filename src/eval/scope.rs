@@ -100,6 +100,8 @@ pub(super) struct TableId {
 pub(super) struct Scopes {
     bindings: Vec<SmallVec<[Binding; 1]>>,
     tables: Vec<Table>,
+    /// Lists of names of closed tables, to be used again.
+    spare: Vec<Vec<Symbol>>,
     opened: u64,
     /// Names declared `deprecated`: whether to warn only once, and the text.
     pub(super) deprecated: FxHashMap<Symbol, (bool, Rc<str>)>,
@@ -108,7 +110,8 @@ pub(super) struct Scopes {
 impl Default for Scopes {
     fn default() -> Self {
         let global = Table { id: 0, names: Vec::new() };
-        Self { bindings: Vec::new(), tables: vec![global], opened: 0, deprecated: FxHashMap::default() }
+        let deprecated = FxHashMap::default();
+        Self { bindings: Vec::new(), tables: vec![global], spare: Vec::new(), opened: 0, deprecated }
     }
 }
 
@@ -116,7 +119,8 @@ impl Scopes {
     /// Opens a table.
     pub(super) fn push(&mut self) {
         self.opened += 1;
-        self.tables.push(Table { id: self.opened, names: Vec::new() });
+        let names = self.spare.pop().unwrap_or_default();
+        self.tables.push(Table { id: self.opened, names });
     }
 
     /// Closes the innermost table with all its names.
@@ -124,14 +128,15 @@ impl Scopes {
         if self.tables.len() < 2 {
             return;
         }
-        let Some(table) = self.tables.pop() else { return };
+        let Some(mut table) = self.tables.pop() else { return };
         let index = self.tables.len() as u32;
-        for name in table.names {
+        for name in table.names.drain(..) {
             let bindings = &mut self.bindings[name.0 as usize];
             if bindings.last().is_some_and(|b| b.table == index) {
                 bindings.pop();
             }
         }
+        self.spare.push(table.names);
     }
 
     /// The innermost table.
@@ -144,8 +149,15 @@ impl Scopes {
     pub(super) const GLOBAL: TableId = TableId { index: 0, id: 0 };
 
     /// What the name stands for.
+    #[inline]
     pub(super) fn find(&self, name: Symbol) -> Option<&Place> {
         self.bindings.get(name.0 as usize)?.last().map(|b| &b.place)
+    }
+
+    /// Whether the name stands for a macro.
+    #[inline]
+    pub(super) fn is_macro(&self, name: Symbol) -> bool {
+        self.find(name).is_some_and(|place| matches!(&*place.slot.borrow(), Value::Macro(_)))
     }
 
     /// What the name stands for in the innermost table alone.

@@ -15,6 +15,77 @@ embedded! {
     "metals.inc" "rand.inc" "shapes.inc" "stdinc.inc" "strings.inc" "textures.inc" "transforms.inc"
 }
 
+/// Include files of POV-Ray 3.7 that are not embedded.
+const OTHER_FILES: [&str; 24] = [
+    "chars",
+    "debug",
+    "glass_old",
+    "ior",
+    "logo",
+    "makegrass",
+    "meshmaker",
+    "rad_def",
+    "screen",
+    "shapes2",
+    "shapes3",
+    "shapes_old",
+    "shapesq",
+    "skies",
+    "stage1",
+    "stars",
+    "stdcam",
+    "stoneold",
+    "stones",
+    "stones1",
+    "stones2",
+    "sunpos",
+    "woodmaps",
+    "woods",
+];
+
+/// Names in POV-Ray's `textures.inc` that the embedded one lacks.
+const OTHER_TEXTURES: [&str; 23] = [
+    "Brass_Valley",
+    "Cork",
+    "DMFDarkOak",
+    "DMFLightOak",
+    "DMFWood6",
+    "EMBWood1",
+    "FBM_Clouds",
+    "Gold_Nugget",
+    "Hex_Tiles_Ptrn",
+    "Irregular_Bricks_Ptrn",
+    "Lightning1",
+    "Lightning2",
+    "Peel",
+    "PinkAlabaster",
+    "Rosewood",
+    "Rust",
+    "Rusty_Iron",
+    "Sandalwood",
+    "Shadow_Clouds",
+    "Star_Ptrn",
+    "Starfield",
+    "Tiles_Ptrn",
+    "Yellow_Pine",
+];
+
+/// How to come by what is not embedded.
+const INSTALL: &str = "install those of POV-Ray (package povray-includes) or give their folder with --include DIR";
+
+/// What to do about an include file that POV-Ray has and this program has not.
+pub(super) fn advice_on_file(name: &str) -> Option<String> {
+    let stem = name.strip_suffix(".inc").unwrap_or(name);
+    OTHER_FILES.contains(&stem).then(|| format!("'{stem}.inc' is not among the embedded include files; {INSTALL}"))
+}
+
+/// What to do about a name that POV-Ray's `textures.inc` declares and the embedded one does not.
+pub(super) fn advice_on_texture(name: &str) -> Option<String> {
+    OTHER_TEXTURES
+        .contains(&name)
+        .then(|| format!("'{name}' is in POV-Ray's textures.inc, but not in the embedded one; {INSTALL}"))
+}
+
 /// The text of a standard include file.
 pub fn standard_include(name: &str) -> Option<&'static str> {
     FILES.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
@@ -44,7 +115,8 @@ mod tests {
     #[test]
     fn each_can_be_included_alone() {
         for name in standard_include_names() {
-            let host = Memory::new([("a.pov", format!("#version 3.7;\n#include \"{name}\"\n").as_str())]);
+            let settings = "#version 3.7; global_settings { assumed_gamma 1 } light_source { 0, 1 }";
+            let host = Memory::new([("a.pov", format!("{settings}\n#include \"{name}\"\n").as_str())]);
             match evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default()) {
                 Ok(read) => assert!(read.warnings.is_empty(), "{name}: {:?}", read.warnings),
                 Err(failed) => {
@@ -60,6 +132,17 @@ mod tests {
         assert_eq!(declared_in("White"), Some("colors.inc"));
         assert_eq!(declared_in("Whit"), None);
         assert_eq!(declared_in("Reorient_Trans"), Some("transforms.inc"));
+    }
+
+    #[test]
+    fn what_is_not_embedded_is_known() {
+        for name in OTHER_TEXTURES {
+            assert_eq!(declared_in(name), None, "{name} is embedded now");
+        }
+        for name in OTHER_FILES {
+            assert!(standard_include(&format!("{name}.inc")).is_none(), "{name} is embedded now");
+        }
+        assert!(advice_on_file("woods.inc").is_some() && advice_on_file("wood.inc").is_none());
     }
 
     #[test]

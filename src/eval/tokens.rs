@@ -37,7 +37,7 @@ impl Evaluator<'_> {
                     continue;
                 }
                 TokenKind::Name(name) => {
-                    if self.names_macro(name)
+                    if self.scopes.is_macro(name)
                         && let Some(called) = self.macro_named(name)
                     {
                         self.call_macro(&called, token.span)?;
@@ -64,13 +64,8 @@ impl Evaluator<'_> {
         self.expected("#case or #range after #switch")
     }
 
-    #[inline]
-    fn names_macro(&self, name: Symbol) -> bool {
-        self.scopes.find(name).is_some_and(|place| matches!(&*place.slot.borrow(), Value::Macro(_)))
-    }
-
     /// The macro of that name.
-    fn macro_named(&self, name: Symbol) -> Option<std::rc::Rc<super::Macro>> {
+    pub(super) fn macro_named(&self, name: Symbol) -> Option<std::rc::Rc<super::Macro>> {
         let place = self.scopes.find(name)?;
         match &*place.slot.borrow() {
             Value::Macro(called) if place.path.is_empty() => Some(std::rc::Rc::clone(called)),

@@ -4,7 +4,9 @@ use super::blocks;
 use crate::function::{Function, Spline};
 use crate::math::{Color, DVec3, Transform};
 use crate::scene::{self, MapEntry};
+use crate::syntax::formula::MacroResult;
 use crate::syntax::{Position, Source, Symbol};
+use std::cell::OnceCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -174,4 +176,6 @@ pub struct Macro {
     pub start: Position,
     /// The `#end` behind it.
     pub end: Position,
+    /// The expression it ends in, if its body is made so; known from the first call on.
+    pub result: OnceCell<Option<MacroResult>>,
 }

@@ -1,7 +1,7 @@
 //! Built-in constants and functions that give a vector.
 
 use super::{Evaluator, Number};
-use crate::diag::{SourceResult, Topic};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::math::noise::{Octaves, vector_turbulence};
 use crate::math::{DVec3, Transform};
 use crate::syntax::Keyword;
@@ -33,16 +33,7 @@ impl Evaluator<'_> {
             Keyword::Vnormalize => {
                 self.take();
                 let [a] = self.vectors()?;
-                if a == DVec3::ZERO {
-                    self.warn_here(
-                        Topic::Arithmetic,
-                        span,
-                        "a vector of length zero cannot be normalised; it stays zero",
-                    );
-                    a
-                } else {
-                    a / a.length()
-                }
+                self.normalized(a, span)
             }
             Keyword::Vrotate => {
                 self.take();
@@ -70,15 +61,22 @@ impl Evaluator<'_> {
         Ok(Some(Number::vector(vector)))
     }
 
-    /// `vaxis_rotate(v, axis, degrees)`; a zero axis gives NaN.
+    /// `vaxis_rotate(v, axis, degrees)`.
     fn axis_rotation(&mut self) -> SourceResult<DVec3> {
         let v = self.vector()?;
         self.comma()?;
         let axis = self.vector()?;
         self.comma()?;
-        let (sin, cos) = self.float()?.to_radians().sin_cos();
-        let n = axis / axis.length();
-        Ok(v * cos + n.cross(v) * sin + n * (n.dot(v) * (1.0 - cos)))
+        Ok(rotated_about(v, axis, self.float()?))
+    }
+
+    /// At length 1; zero stays zero, with a warning.
+    pub(super) fn normalized(&mut self, v: DVec3, span: Span) -> DVec3 {
+        if v == DVec3::ZERO {
+            self.warn_here(Topic::Arithmetic, span, "a vector of length zero cannot be normalised; it stays zero");
+            return v;
+        }
+        v / v.length()
     }
 
     /// `vturbulence(lambda, omega, octaves, point)`.
@@ -94,4 +92,11 @@ impl Evaluator<'_> {
         })?;
         Ok(vector_turbulence(octaves, point))
     }
+}
+
+/// A vector turned about an axis of any length; NaN for a zero one.
+pub(super) fn rotated_about(v: DVec3, axis: DVec3, degrees: f64) -> DVec3 {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let n = axis / axis.length();
+    v * cos + n.cross(v) * sin + n * (n.dot(v) * (1.0 - cos))
 }

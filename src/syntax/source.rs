@@ -3,7 +3,7 @@
 use super::formula::{self, Formula};
 use super::lexer::tokenise;
 use super::pieces::{self, next_piece};
-use super::{Directive, Names, Token, TokenKind};
+use super::{Directive, Names, Symbol, Token, TokenKind};
 use crate::diag::FileId;
 use rustc_hash::FxHashMap;
 use std::cell::RefCell;
@@ -57,9 +57,16 @@ const NONE: u16 = 2;
 const FIRST: u16 = 3;
 
 impl Piece {
-    /// The formula that starts at a token, from the second time it is asked for.
+    /// The formula that starts at a token, from the second time it is asked for; `is_macro` tells
+    /// which names stand for macros.
     #[inline]
-    pub fn formula(&self, start: usize, full: bool, text: &[u8]) -> Option<Rc<Formula>> {
+    pub fn formula(
+        &self,
+        start: usize,
+        full: bool,
+        text: &[u8],
+        is_macro: &dyn Fn(Symbol) -> bool,
+    ) -> Option<Rc<Formula>> {
         let formulas = &mut *self.formulas.borrow_mut();
         if formulas.known.is_empty() {
             formulas.known = vec![[UNSEEN; 2]; self.tokens.len()];
@@ -68,7 +75,7 @@ impl Piece {
         match *known {
             UNSEEN => *known = SEEN,
             SEEN => {
-                let parsed = formula::parse(&self.tokens[start..], text, full);
+                let parsed = formula::parse(&self.tokens[start..], text, full, is_macro);
                 *known = NONE;
                 if let (Some(parsed), Ok(index)) = (parsed, u16::try_from(formulas.list.len()))
                     && index < u16::MAX - FIRST

@@ -1,0 +1,114 @@
+//! Macros that give a number, called from within a formula.
+//!
+//! The tokens that a macro yields join those of its caller, so in general nothing is known of an
+//! expression that calls one until its tokens arrive. A macro whose body is made of whole statements
+//! and one expression ([`crate::syntax::formula::MacroResult`]) is the exception that nearly all
+//! macros in expressions are: its body runs as always, its expression gives the operand.
+
+use super::cursor::Cursor;
+use super::declarations::Argument;
+use super::formulas::Walk;
+use super::{Evaluator, Macro, Number, Value};
+use crate::diag::SourceResult;
+use crate::syntax::formula::{MacroCall, MacroResult, Node};
+use crate::syntax::{Token, TokenKind};
+use smallvec::SmallVec;
+use std::rc::Rc;
+
+/// Calls inside one another beyond which tokens are read, which takes none of the stack.
+const MAX_DEPTH: usize = 200;
+
+impl Evaluator<'_> {
+    /// Whether a call can be an operand: the macro gives a number whatever stands around it.
+    pub(super) fn gives_operand(&self, call: &MacroCall) -> bool {
+        let Some(called) = self.macro_named(call.name) else { return false };
+        let Some(Some(result)) = called.result.get() else { return false };
+        called.parameters.len() == usize::from(call.arguments.n)
+            && self.macro_depth < MAX_DEPTH
+            && (result.closed || call.whole)
+            && (result.numeric || call.numeric || !call.whole)
+    }
+
+    /// Whether a name can be passed by reference.
+    pub(super) fn is_reference(value: Option<&Value>) -> bool {
+        !matches!(value, None | Some(Value::Function(_) | Value::Spline(_) | Value::Macro(_) | Value::File(_)))
+    }
+
+    /// Calls a macro for its result in a place of width `n`.
+    pub(super) fn walk_macro(&mut self, walk: &Walk<'_>, call: &MacroCall, n: u8) -> SourceResult<Number> {
+        let span = self.token_span(walk, call.token);
+        let mut arguments = SmallVec::new();
+        for i in 0..usize::from(call.arguments.n) {
+            let item = walk.item(call.arguments, i);
+            arguments.push(match walk.formula.nodes[usize::from(item)] {
+                Node::Name(name) => match self.scopes.find(name) {
+                    Some(place) => Argument::Alias(place.clone()),
+                    None => return self.undeclared(name, span),
+                },
+                Node::Element(name, indices, token) => {
+                    let (mut place, flat) = self.walk_index(walk, name, indices, token)?;
+                    place.path.push(flat as u32);
+                    if place.with(|value| value.is_none()) {
+                        return self.error(self.token_span(walk, token), "this array element was never set");
+                    }
+                    Argument::Alias(place)
+                }
+                _ => Argument::Value(Value::from(self.walk(walk, item, 1)?)),
+            });
+        }
+        let Some(called) = self.macro_named(call.name) else { return self.undeclared(call.name, span) };
+        let held = (self.ahead.take(), std::mem::replace(&mut self.ready, false));
+        self.enter_macro(&called, arguments, span)?;
+        let value = self.run_body(&called, n)?;
+        self.leave_cursor()?;
+        (self.ahead, self.ready) = held;
+        Ok(value)
+    }
+
+    /// Runs the body that was just entered; its last expression.
+    fn run_body(&mut self, called: &Rc<Macro>, n: u8) -> SourceResult<Number> {
+        let depth = self.cursors.len();
+        if let Some(cursor) = self.cursors.last_mut() {
+            cursor.enter(&mut self.names);
+            cursor.fenced = true;
+        }
+        let Some(Some(result)) = called.result.get() else { return Ok(Number::scalar(f64::NAN)) };
+        while let Some(directive) = self.before_result(result)? {
+            let TokenKind::Directive(word) = directive.kind else {
+                return self.error(directive.span, "this does not belong to the value that the macro gives");
+            };
+            self.run_directive(word, directive.span)?;
+        }
+        debug_assert_eq!(self.cursors.len(), depth);
+        match self.value_of(&result.formula, result.start, n)? {
+            Some(value) => {
+                self.take();
+                Ok(value)
+            }
+            None => self.result_by_tokens(n),
+        }
+    }
+
+    /// The next token of the body, taken, if it stands before the result.
+    fn before_result(&mut self, result: &MacroResult) -> SourceResult<Option<Token>> {
+        let next = self.cursors.last().map_or(0, Cursor::index) - usize::from(self.ahead.is_some());
+        if next >= result.start {
+            return Ok(None);
+        }
+        match self.ahead.take() {
+            Some(token) => Ok(Some(token)),
+            None => self.fetch().map(Some),
+        }
+    }
+
+    fn result_by_tokens(&mut self, n: u8) -> SourceResult<Number> {
+        let bare = std::mem::replace(&mut self.bare, false);
+        let value = self.arithmetic_by_tokens(n)?;
+        if self.fill(false)? != TokenKind::End {
+            return self.expected("the end of the macro behind its value");
+        }
+        self.take();
+        self.bare = bare;
+        Ok(value)
+    }
+}

@@ -1,0 +1,2 @@
+// Standard include files that are not embedded.
+#include "woods.inc"
