@@ -6,7 +6,7 @@
 //!
 //! What a later stage may rely on:
 //! - every matrix is invertible and finite;
-//! - `Object::transform` takes the shape's own space to the space of whatever
+//! - `Object::place` takes the shape's own space to the space of whatever
 //!   contains the object; texture transforms start from texture space and end in
 //!   that same containing space;
 //! - defaults (`#default`, inherited pigments) are already filled in, but texture and

@@ -23,8 +23,8 @@ const SUPERELLIPSOID: f64 = 1.0001;
 /// The box of an object in the space around it.
 pub(crate) fn extent(object: &Object) -> Bounds {
     let own = match &object.shape {
-        Shape::Csg { operation, children } => moved(&combined(*operation, children), &object.transform),
-        shape => leaf(shape, &object.transform, object),
+        Shape::Csg { operation, children } => moved(&combined(*operation, children), &object.place.transform()),
+        shape => leaf(shape, &object.place.transform(), object),
     };
     let own = single(&own);
     [&object.bounded_by, &object.clipped_by].into_iter().fold(own, |own, limits| {
@@ -42,7 +42,7 @@ pub(super) fn shrunken(object: &Object) -> Option<Bounds> {
     }
     let limits = object.bounded_by.iter().filter(|o| !o.flags.inverse);
     let common = limits.fold(Bounds::INFINITE, |sum, o| sum.intersection(&as_limit(o, false)));
-    let own = single(&leaf(&object.shape, &object.transform, object));
+    let own = single(&leaf(&object.shape, &object.place.transform(), object));
     (volume(&common) < volume(&own)).then_some(common)
 }
 
@@ -83,7 +83,7 @@ fn combined(operation: CsgOperation, children: &[Arc<Object>]) -> Bounds {
 fn as_limit(object: &Object, cut: bool) -> Bounds {
     let mut inverse = object.flags.inverse != cut;
     if matches!(object.shape, Shape::Plane { .. }) && object.clipped_by.is_empty() {
-        let folded = fold(&object.shape, object.transform, &mut inverse);
+        let folded = fold(&object.shape, object.place.transform(), &mut inverse);
         let Some(Compiled::Plane(plane)) = folded.map(|f| f.shape) else { return Bounds::INFINITE };
         return half_space(plane.normal, plane.distance);
     }
@@ -118,9 +118,8 @@ fn leaf(shape: &Shape, place: &Transform, object: &Object) -> Bounds {
             moved(&Bounds::from_corners(DVec3::splat(-SUPERELLIPSOID), DVec3::splat(SUPERELLIPSOID)), place)
         }
         Shape::Polygon { points } => moved(&thickened(Bounds::around(points.iter().copied())), place),
-        Shape::Triangle { vertices } | Shape::SmoothTriangle { vertices, .. } => {
-            Bounds::around(vertices.map(|v| place.point(v)))
-        }
+        Shape::Triangle { vertices } => Bounds::around(vertices.map(|v| place.point(v))),
+        Shape::SmoothTriangle(smooth) => Bounds::around(smooth.vertices.map(|v| place.point(v))),
         Shape::Mesh(mesh) => {
             moved(&Bounds::around(mesh.vertices.iter().map(|v| glam::Vec3::from(*v).as_dvec3())), place)
         }
@@ -156,7 +155,7 @@ fn keeps_directions(place: &Transform) -> bool {
 
 /// From the compiled shape's own box, or another one, moved with it.
 fn compiled(object: &Object, other: impl Fn(&Compiled) -> Option<Bounds>) -> Bounds {
-    let bare = Object { transform: object.transform, ..Object::new(object.shape.clone(), object.span) };
+    let bare = Object { place: object.place.clone(), ..Object::new(object.shape.clone(), object.span) };
     let Ok(geometry) = compile_object(&Arc::new(bare)) else { return Bounds::INFINITE };
     let Some(primitive) = geometry.primitives.first() else { return Bounds::EMPTY };
     let local = other(&primitive.shape).unwrap_or_else(|| primitive.local_bounds());

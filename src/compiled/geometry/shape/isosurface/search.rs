@@ -16,7 +16,7 @@ const FARTHEST: f64 = 2e10;
 /// Pieces that one search may look at with guarantee. A ray that runs within the surface can be
 /// halved for ever without an answer; the few it takes anywhere else are below a thousand. Beyond
 /// this, `max_gradient` is believed.
-const MOST_PIECES: u32 = 1 << 16;
+const MOST_PIECES: u32 = 1 << 11;
 
 /// Pieces shorter than `accuracy` that may be looked at between two samples: three for each of the
 /// 50 halvings that a number has bits for.
