@@ -4,6 +4,7 @@
 
 use super::ray::{Path, Radiance};
 use super::tracer::Tracer;
+use crate::compiled::World;
 use crate::compiled::atmosphere::{Fog, Rainbow, Sky};
 use crate::compiled::geometry::RayKind;
 use crate::compiled::texture::Context;
@@ -73,7 +74,7 @@ impl Tracer<'_> {
         let mut added = Rgb::ZERO;
         for fog in &atmosphere.fogs {
             let k = fog_transmittance(fog, &path.ray, length);
-            factor *= k * (Rgb::splat(1.0 - fog.color.filter) + fog.color.filter * fog.color.rgb);
+            factor *= k * fog_tint(fog);
             added += (1.0 - k) * fog.color.rgb;
         }
         Some(Veil {
@@ -143,6 +144,16 @@ fn legacy_sky(sky: &Sky, direction: DVec3) -> (Rgb, Rgb) {
         share = filters.abs() + transmits.abs();
     }
     (rgb * sky.emission, colors * filters + transmits)
+}
+
+/// What all fogs leave of light that runs along a ray.
+pub(super) fn fog_factor(world: &World, ray: &Ray, length: f64) -> Rgb {
+    world.atmosphere.fogs.iter().map(|fog| fog_transmittance(fog, ray, length) * fog_tint(fog)).product()
+}
+
+/// The colour that a fog gives to light behind it, whatever the distance.
+fn fog_tint(fog: &Fog) -> Rgb {
+    Rgb::splat(1.0 - fog.color.filter) + fog.color.filter * fog.color.rgb
 }
 
 /// What part of the light comes through a fog.

@@ -48,7 +48,8 @@ impl Tracer<'_> {
         if light.shadowless || !self.options.shadows() {
             return color;
         }
-        self.filtered(place, direction, reach, color)
+        let fogged = light.media_attenuation && self.options.atmosphere() && !self.world.atmosphere.fogs.is_empty();
+        self.filtered(place, direction, reach, fogged.then_some(distance), color)
     }
 
     fn area_shadow(&mut self, place: &Place<'_, '_>, light: &Light, area: &Area, color: Rgb) -> Rgb {
@@ -57,19 +58,33 @@ impl Tracer<'_> {
         grid.block(self, [0, 0], [area.n1 - 1, area.n2 - 1], 0)
     }
 
-    /// A colour after all surfaces along a straight way of length `reach`.
-    fn filtered(&mut self, place: &Place<'_, '_>, direction: DVec3, reach: f64, mut color: Rgb) -> Rgb {
+    /// A colour after all surfaces along a straight way of length `reach`, and after fog along `fogged`.
+    fn filtered(
+        &mut self,
+        place: &Place<'_, '_>,
+        direction: DVec3,
+        reach: f64,
+        fogged: Option<f64>,
+        mut color: Rgb,
+    ) -> Rgb {
         let geometry = &self.world.geometry;
         let (mut ray, range) = place.surface.leave(direction);
         let mut range = Range { max: reach * (1.0 - LIGHT_MARGIN), ..range };
         self.statistics.shadow_rays += 1;
         if self.all_opaque {
             let blocked = geometry.occluded(&ray, range, &mut self.scratch);
-            return if blocked { Rgb::ZERO } else { color };
+            if blocked {
+                return Rgb::ZERO;
+            }
+            return color * fogged.map_or(Rgb::ONE, |length| self.fog_on_the_way(&ray, length, &place.path.interiors));
         }
         let mut interiors = None;
+        let mut way = fogged;
         loop {
-            let Some(hit) = geometry.intersect(&ray, range, RayKind::Shadow, &mut self.scratch) else { return color };
+            let Some(hit) = geometry.intersect(&ray, range, RayKind::Shadow, &mut self.scratch) else {
+                let inside = interiors.as_ref().unwrap_or(&place.path.interiors);
+                return color * way.map_or(Rgb::ONE, |length| self.fog_on_the_way(&ray, length, inside));
+            };
             if geometry.blocks_light(&hit, &self.world.opaque) {
                 return Rgb::ZERO;
             }
@@ -78,6 +93,10 @@ impl Tracer<'_> {
                 return Rgb::ZERO;
             }
             let interiors = interiors.get_or_insert_with(|| place.path.interiors.clone());
+            if let Some(length) = &mut way {
+                color *= self.fog_on_the_way(&ray, hit.t, interiors);
+                *length -= hit.t;
+            }
             color *= self.surface_transmittance(&surface, &ray) * self.leaving_fade(&surface, hit.t, interiors);
             if is_dark(color) {
                 return Rgb::ZERO;
@@ -86,6 +105,15 @@ impl Tracer<'_> {
             (ray, range) = surface.leave(direction);
             range.max = left;
             self.statistics.shadow_rays += 1;
+        }
+    }
+
+    /// What fog leaves of a light along a part of its way, outside of solid objects.
+    fn fog_on_the_way(&self, ray: &Ray, length: f64, interiors: &super::ray::Interiors) -> Rgb {
+        if interiors.iter().all(|i| i.hollow) {
+            super::atmosphere::fog_factor(self.world, ray, length)
+        } else {
+            Rgb::ONE
         }
     }
 

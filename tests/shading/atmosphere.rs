@@ -37,3 +37,28 @@ fn alpha_shows_the_backdrop() {
     see("rgbt<.5,.25,1,.5>", [0.25, 0.125, 0.5, 0.5]);
     see("rgbf<.5,.25,1,.6>", [0.2, 0.1, 0.4, 0.754]);
 }
+
+#[test]
+fn fog_weakens_lights_that_say_so() {
+    let fog = "fog{distance 10 rgb <0,0,1>}";
+    let lit = |more: &str, light: &str, expected: f32| {
+        let light = format!("light_source{{<0,0,-5> rgb .8 {light}}}");
+        let found = pixel(&format!("{CZ} {WALL} {more} {light}"), &single())[0];
+        assert!((found - expected).abs() <= TOLERANCE, "{found} instead of {expected} for {more} {light}");
+    };
+    let on = "media_attenuation on";
+    lit(fog, on, 0.178500);
+    lit(fog, "", 0.294301);
+    lit(fog, "media_attenuation on media_interaction off", 0.294301);
+    lit(fog, "media_attenuation on shadowless", 0.294301);
+    lit(fog, "media_attenuation on parallel point_at 0", 0.178500);
+    lit("fog{distance 10 rgbf <.5,.2,1,.6>}", on, 0.403525);
+    lit("fog{distance 10 rgbt <.5,.2,1,.9>}", on, 0.697993);
+    // Inside a solid object there is no fog.
+    let sheet = "disc{<0,0,-2>,z,1 pigment{rgbt .5} no_image";
+    let slab = "box{<-1,-1,-3>,<1,1,-2> pigment{rgbt 1} no_image";
+    lit(&format!("{fog} {sheet}}}"), on, 0.120485);
+    lit(&format!("{fog} {sheet} hollow}}"), on, 0.089250);
+    lit(&format!("{fog} {slab}}}"), on, 0.197284);
+    lit(&format!("{fog} {slab} hollow}}"), on, 0.178500);
+}

@@ -108,7 +108,7 @@ fn convert_blob(builder: &mut Builder<'_>, blob: &scene::Blob, inside: &Context)
         }
     }
     parts.retain(|p| p.radius != 0.0 && p.strength != 0.0);
-    placed(Compiled::Blob(Blob { parts: parts.into(), threshold: blob.threshold }), inside.group_from_parent)
+    placed(Compiled::Blob(Blob::new(parts.into(), blob.threshold)), inside.group_from_parent)
 }
 
 /// A patch as triangles, moved first: its flatness is measured in the world.

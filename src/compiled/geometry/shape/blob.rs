@@ -39,6 +39,8 @@ pub(crate) struct BlobPart {
 pub(crate) struct Blob {
     pub(crate) parts: Arc<[BlobPart]>,
     pub(crate) threshold: f64,
+    /// Around the parts that can hold a surface.
+    bounds: Bounds,
 }
 
 /// POV-Ray's slack of the inside test.
@@ -130,6 +132,14 @@ impl BlobPart {
 }
 
 impl Blob {
+    /// The surface where the parts' field reaches the threshold.
+    pub(crate) fn new(parts: Arc<[BlobPart]>, threshold: f64) -> Self {
+        let all = threshold <= 0.0 && parts.iter().any(|p| p.strength < 0.0);
+        let holding = parts.iter().filter(|p| all || p.strength > 0.0);
+        let bounds = holding.fold(Bounds::EMPTY, |sum, p| sum.union(&p.bounds()));
+        Self { parts, threshold, bounds }
+    }
+
     fn field(&self, p: DVec3) -> f64 {
         self.parts.iter().map(|part| part.sample(p).0).sum()
     }
@@ -149,11 +159,7 @@ impl Blob {
 
 impl Primitive for Blob {
     fn bounds(&self) -> Bounds {
-        if self.threshold <= 0.0 && self.parts.iter().any(|p| p.strength < 0.0) {
-            return self.parts.iter().fold(Bounds::EMPTY, |sum, p| sum.union(&p.bounds()));
-        }
-        let positive = self.parts.iter().filter(|p| p.strength > 0.0);
-        positive.fold(Bounds::EMPTY, |sum, p| sum.union(&p.bounds()))
+        self.bounds
     }
 
     /// Between the places where the ray enters or leaves a part the field is one quartic.
