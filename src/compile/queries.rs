@@ -1,6 +1,6 @@
 //! Answers to what a scene asks about its own objects while it is being read.
 
-use super::geometry::compile_object;
+use super::geometry::{compile_object, extent};
 use super::texture::TextureCompiler;
 use crate::compiled::geometry::{Geometry, RayKind, Scratch};
 use crate::compiled::texture::{Context, Pattern, Pigment};
@@ -9,6 +9,10 @@ use crate::math::{Bounds, DVec3, Range, Ray};
 use crate::scene::{self, Flags, GeometryQueries, Object, Settings};
 use rustc_hash::FxHashMap;
 use std::sync::{Arc, Mutex, PoisonError};
+
+/// POV-Ray's least distance of a hit. Scenes that walk over surfaces by `trace` count on not meeting
+/// the one on which they stand.
+const POV_NEAREST: f64 = 1e-4;
 
 /// Compiles what is asked about, once for each object.
 #[derive(Debug, Default)]
@@ -43,7 +47,12 @@ impl Queries {
 impl GeometryQueries for Queries {
     fn trace(&self, object: &Arc<Object>, ray: &Ray) -> Option<(DVec3, DVec3)> {
         let geometry = self.geometry(object);
-        let hit = geometry.intersect(ray, Range::FORWARD, RayKind::Probe, &mut Scratch::default())?;
+        let hit = geometry.intersect(
+            ray,
+            Range { min: POV_NEAREST, ..Range::FORWARD },
+            RayKind::Probe,
+            &mut Scratch::default(),
+        )?;
         let surface = geometry.surface(ray, &hit);
         Some((surface.point, surface.normal))
     }
@@ -53,7 +62,7 @@ impl GeometryQueries for Queries {
     }
 
     fn extent(&self, object: &Arc<Object>) -> Bounds {
-        self.geometry(object).bounds()
+        extent(object)
     }
 
     fn pigment_function(&self, pigment: &Arc<scene::Pigment>, settings: &Settings) -> Arc<dyn Callable> {

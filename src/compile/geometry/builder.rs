@@ -141,7 +141,7 @@ impl<'a> Builder<'a> {
                     self.place_solid(object, around, items);
                 }
             }
-            _ if object.clipped_by.is_empty() => {
+            _ if object.clipped_by.is_empty() && !is_bounded(object) => {
                 let inside = self.enter(object, around);
                 let id = self.labeler.object_id();
                 if let Some(index) = self.primitive(object, &inside, id) {
@@ -249,7 +249,12 @@ impl<'a> Builder<'a> {
                 node.look = self.add_look(Context { cutaway_root: None, ..inside.clone() }.look(id));
                 self.combine(*operation, children, &inside, id, &mut node);
             }
-            Shape::LightGroup { .. } => return None,
+            Shape::LightGroup { children, .. } => {
+                inside.light_group = Some(crate::compiled::geometry::LightGroupId(self.n_light_groups));
+                self.n_light_groups += 1;
+                node.look = self.add_look(inside.look(id));
+                self.combine(CsgOperation::Union, children, &inside, id, &mut node);
+            }
             _ => {
                 let primitive = self.primitive(object, &inside, id)?;
                 let compiled = &self.geometry.primitives[primitive as usize];
@@ -263,7 +268,7 @@ impl<'a> Builder<'a> {
         // Clips and bounds stand in the space around the object and keep their own inversions.
         let clip_context = Context { group_from_parent: around.group_from_parent, ..Context::bare() };
         node.clips = object.clipped_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
-        if matches!(object.shape, Shape::Csg { .. }) && !object.flags.bounds_are_clips {
+        if (!is_root || keeps_bounds(&object.shape)) && !object.flags.bounds_are_clips {
             node.bounded_by = object.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
         }
         for clip in &node.clips {
@@ -271,6 +276,15 @@ impl<'a> Builder<'a> {
             node.bounds = node.bounds.intersection(&clip.extent);
             node.extent = node.extent.intersection(&clip.extent);
             node.gap = node.gap.union(&clip.gap);
+            // A height field is solid below its box, but POV-Ray looks at nothing clipped by it for rays that
+            // miss the box.
+            if let NodeKind::Primitive(p) = clip.kind
+                && let primitive = &self.geometry.primitives[p as usize]
+                && matches!(primitive.shape, Compiled::HeightField(_))
+                && !primitive.inverse
+            {
+                node.bounds = node.bounds.intersection(&primitive.bounds());
+            }
         }
         if !node.clips.is_empty()
             && let NodeKind::Primitive(p) = node.kind
@@ -278,6 +292,10 @@ impl<'a> Builder<'a> {
             let primitive = &self.geometry.primitives[p as usize];
             node.bounds = within(primitive, &node.bounds, true);
             node.extent = within(primitive, &node.extent, false);
+        }
+        if is_root && let Some(shrunken) = super::extent::shrunken(object) {
+            let place = &around.group_from_parent;
+            node.bounds = node.bounds.intersection(&padded(place.bounds(&shrunken)));
         }
         self.geometry.nodes[index] = node;
         Some(index as u32)
@@ -386,6 +404,17 @@ impl<'a> Builder<'a> {
         });
         Some(self.geometry.primitives.len() as u32 - 1)
     }
+}
+
+/// Shapes at frame level whose `bounded_by` POV-Ray tests ray by ray; of others it keeps the box only.
+fn keeps_bounds(shape: &Shape) -> bool {
+    matches!(shape, Shape::Csg { .. } | Shape::Polynomial { .. } | Shape::Text(_) | Shape::Quadric { .. })
+}
+
+/// Whether bounds hide something of a primitive at frame level.
+fn is_bounded(object: &Object) -> bool {
+    let has_bounds = !object.bounded_by.is_empty() && !object.flags.bounds_are_clips;
+    has_bounds && (keeps_bounds(&object.shape) || super::extent::shrunken(object).is_some())
 }
 
 /// Surfaces without an inside, on which `inverse` has no effect.

@@ -1,5 +1,6 @@
 //! Shapes that are converted rather than folded: large data, shared by all copies.
 
+use super::POV_TINY;
 use super::builder::Builder;
 use super::implicit;
 use super::looks::Context;
@@ -40,7 +41,7 @@ pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Conte
         }
         Shape::Parametric(surface) => Some(Some(placed(implicit::parametric(surface), inside.group_from_parent))),
         Shape::JuliaFractal(julia) => Some(Some(placed(implicit::julia(julia), inside.group_from_parent))),
-        Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base.distance(*cap) < 1e-10 => {
+        Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base.distance(*cap) < POV_TINY => {
             let message = "degenerate cylinder or cone: both ends are the same point";
             builder.errors.push(Diagnostic::error(object.span, message));
             Some(None)

@@ -1,12 +1,11 @@
-//! Height fields: pixels become a grid of whole heights, the grid a mesh.
+//! Height fields: pixels become a grid of whole heights.
 //!
 //! Source: shape facts, freeform, section 3.
 
-use crate::compiled::geometry::{HeightGrid, MeshData, MeshTree};
+use crate::compiled::geometry::HeightGrid;
 use crate::function::Function;
 use crate::imaging::{Pixels, decode, linear_from_srgb};
 use crate::scene::{self, ImageFormat, ImageSource, Working};
-use std::sync::Arc;
 
 /// Builds the grid of a height field.
 ///
@@ -35,27 +34,7 @@ pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGri
     }
     // The picture's bottom row stands at z = 0.
     let heights: Vec<u16> = top_down.chunks_exact(width).rev().flatten().copied().collect();
-    let lowest = f64::from(heights.iter().copied().min().unwrap_or(0));
-    let highest = f64::from(heights.iter().copied().max().unwrap_or(0));
-    let tree = Arc::new(MeshTree::new(triangles(width, depth, &heights)));
-    let water = field.water_level * 65536.0;
-    Ok(Some(HeightGrid { width, depth, heights, water, smooth: field.smooth, tree, lowest, highest }))
-}
-
-/// Two triangles a cell, split from (i+1, k) to (i, k+1).
-fn triangles(width: usize, depth: usize, heights: &[u16]) -> MeshData {
-    let vertex = |n: usize| [(n % width) as f32, f32::from(heights[n]), (n / width) as f32];
-    let vertices = (0..width * depth).map(vertex).collect();
-    let mut faces = Vec::with_capacity(2 * (width - 1) * (depth - 1));
-    for k in 0..depth - 1 {
-        for i in 0..width - 1 {
-            let n = (k * width + i) as u32;
-            let above = n + width as u32;
-            faces.push([n, n + 1, above]);
-            faces.push([above + 1, above, n + 1]);
-        }
-    }
-    MeshData { vertices, faces, normal_indices: Some(Vec::new()), ..MeshData::default() }
+    Ok(Some(HeightGrid::new(width, heights, field.water_level * 65536.0, field.smooth)))
 }
 
 fn format_name(format: ImageFormat) -> Option<&'static str> {

@@ -2,6 +2,7 @@
 
 mod builder;
 mod census;
+mod extent;
 mod freeform;
 mod height_field;
 mod implicit;
@@ -33,7 +34,12 @@ use census::Census;
 use lights::collect_lights;
 use std::sync::Arc;
 
+pub(crate) use extent::extent;
 pub use watch::Watched;
+
+/// POV-Ray's number for "nothing": lengths, and squares that it compares with each other, below it count
+/// as zero, whatever the scale of the scene. Kept, because it decides which input degenerates.
+const POV_TINY: f64 = 1e-10;
 
 /// The geometry, with the lists that its indices refer to.
 #[derive(Debug, Default)]

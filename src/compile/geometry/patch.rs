@@ -2,6 +2,7 @@
 //!
 //! Source: shape facts, freeform, section 5.
 
+use super::POV_TINY;
 use crate::compiled::geometry::MeshData;
 use crate::math::{DVec2, DVec3};
 use crate::scene::BicubicPatch;
@@ -53,10 +54,10 @@ impl Part {
     fn is_flat(&self, flatness: f64) -> bool {
         let p = &self.points;
         // POV-Ray's thresholds for corners that coincide or stand in a line.
-        let second = if p[0][3].distance(p[0][0]) < 1e-10 { p[3][3] } else { p[0][3] };
+        let second = if p[0][3].distance(p[0][0]) < POV_TINY { p[3][3] } else { p[0][3] };
         let (u, v) = (second - p[0][0], p[3][0] - p[0][0]);
         let normal = u.cross(v);
-        if normal.length_squared() <= 1e-10 * u.length_squared() * v.length_squared() {
+        if normal.length_squared() <= POV_TINY * u.length_squared() * v.length_squared() {
             return false;
         }
         let normal = normal.normalize();
@@ -87,7 +88,7 @@ fn normal(p: &Points, at: DVec2) -> DVec3 {
     };
     let (u, v) = (sum(&du, &bv), sum(&bu, &dv));
     let n = u.cross(v);
-    if n.length_squared() <= 1e-10 * u.length_squared() * v.length_squared() { DVec3::X } else { n.normalize() }
+    if n.length_squared() <= POV_TINY * u.length_squared() * v.length_squared() { DVec3::X } else { n.normalize() }
 }
 
 /// Triangles of a patch whose control points are in their final place.

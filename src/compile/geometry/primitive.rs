@@ -1,6 +1,7 @@
 //! Pass 4, `fold_transforms`: shapes become canonical primitives, with their transform folded in
 //! where that loses nothing.
 
+use super::POV_TINY;
 use crate::compiled::geometry::{
     Cone, Cuboid, Disc, Ovus, Plane, Polygon, Polynomial, Quadric, Shape as Compiled, SmoothTriangle, Sphere,
     Superellipsoid, Torus, Triangle,
@@ -177,9 +178,9 @@ fn fold_cone(base: (DVec3, f64), cap: (DVec3, f64), open: bool, place: &Transfor
     let length = big.distance(small);
     let axis = ((big - small) / length).try_normalize()?;
     // POV-Ray's thresholds for "as good as a cylinder".
-    let straight = (wide - narrow).abs() < 1e-10 || (wide - narrow).powi(2) / wide.abs() < 1e-10;
+    let straight = (wide - narrow).abs() < POV_TINY || (wide - narrow).powi(2) / wide.abs() < POV_TINY;
     let (radius, taper, origin, height) = if straight || wide <= 0.0 {
-        let radius = if (wide - narrow).abs() < 1e-10 { base.1.abs() } else { wide.abs() };
+        let radius = if (wide - narrow).abs() < POV_TINY { base.1.abs() } else { wide.abs() };
         (radius, None, small, length)
     } else {
         let height = wide * length / (wide - narrow);
@@ -199,10 +200,10 @@ fn fold_cone(base: (DVec3, f64), cap: (DVec3, f64), open: bool, place: &Transfor
 /// A polygon in its own plane: outlines close where a point repeats their first.
 fn fold_polygon(points: &[DVec3], place: &Transform) -> Option<Folded> {
     let first = *points.first()?;
-    let u = points.iter().map(|p| *p - first).find(|u| u.length_squared() > 1e-10)?;
+    let u = points.iter().map(|p| *p - first).find(|u| u.length_squared() > POV_TINY)?;
     // POV-Ray's thresholds, also for points off the plane, which make the whole invisible; room
     // for rounding is added, without which large turned polygons vanish there.
-    let apart = |v: &DVec3| v.length_squared() > 1e-10 && u.cross(*v).length_squared() > 1e-10;
+    let apart = |v: &DVec3| v.length_squared() > POV_TINY && u.cross(*v).length_squared() > POV_TINY;
     let v = points.iter().map(|p| *p - first).find(apart)?;
     let normal = u.cross(v).try_normalize()?;
     let x = u.try_normalize()?;
@@ -218,11 +219,11 @@ fn fold_polygon(points: &[DVec3], place: &Transform) -> Option<Folded> {
         outline.clear();
     };
     for p in points {
-        if (*p - first).dot(normal).abs() > 1e-10 + gamma(64) * size {
+        if (*p - first).dot(normal).abs() > POV_TINY + gamma(64) * size {
             return None;
         }
         match outline.first() {
-            Some(start) if (*p - *start).abs().max_element() < 1e-10 => close(&mut outline),
+            Some(start) if (*p - *start).abs().max_element() < POV_TINY => close(&mut outline),
             _ => outline.push(*p),
         }
     }

@@ -35,6 +35,7 @@ pub(super) fn prism(prism: &scene::Prism) -> Option<Compiled> {
         high: a.max(b),
         conic: prism.conic,
         open: prism.open,
+        caps_only: false,
         outward_caps: false,
     }))
 }

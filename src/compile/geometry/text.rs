@@ -1,7 +1,7 @@
 //! Text: TrueType glyphs become outlines swept along z.
 
 use crate::compiled::geometry::{Outline, Prism, Segment, Shape as Compiled};
-use crate::math::{DVec2, DVec3, Transform};
+use crate::math::{Bounds, DVec2, DVec3, Transform};
 use crate::scene::Text;
 use ttf_parser::{Face, GlyphId, OutlineBuilder, kern::Format};
 
@@ -74,18 +74,14 @@ fn kerning(face: &Face<'_>, left: GlyphId, right: GlyphId) -> f64 {
     pairs.map(|p| f64::from(p.value)).sum()
 }
 
-/// All glyphs of a line beside each other, and what takes the result to text space.
-///
-/// # Errors
-/// A message if the font cannot be read.
-pub(super) fn text(text: &Text) -> Result<(Compiled, Transform), String> {
-    let face = Face::parse(&text.font, 0).map_err(|e| format!("the font cannot be read: {e}"))?;
+/// The glyphs of a line with the places of their origins, in ems.
+fn layout(text: &Text, face: &Face<'_>) -> Vec<(GlyphId, DVec2)> {
     let em = f64::from(face.units_per_em());
-    let mut outlines = Vec::new();
+    let mut placed = Vec::new();
     let mut pen = DVec2::ZERO;
     let mut previous = None;
     for code in &text.characters {
-        let glyph = glyph_of(&face, *code);
+        let glyph = glyph_of(face, *code);
         let x_min = face.glyph_bounding_box(glyph).map_or(0.0, |b| f64::from(b.x_min));
         let bearing = f64::from(face.glyph_hor_side_bearing(glyph).unwrap_or(0));
         let advance = f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
@@ -94,18 +90,40 @@ pub(super) fn text(text: &Text) -> Result<(Compiled, Transform), String> {
             None => (-x_min, advance - bearing),
             Some(left) => {
                 pen += text.offset.truncate();
-                let kern = kerning(&face, left, glyph);
+                let kern = kerning(face, left, glyph);
                 (bearing - x_min + kern, advance + kern)
             }
         };
-        let offset = pen + DVec2::new(at / em, 0.0);
-        let mut builder = Pen { segments: Vec::new(), offset, scale: 1.0 / em, start: offset, last: offset };
+        placed.push((glyph, pen + DVec2::new(at / em, 0.0)));
+        pen.x += step / em;
+        previous = Some(glyph);
+    }
+    placed
+}
+
+fn face(text: &Text) -> Result<Face<'_>, String> {
+    Face::parse(&text.font, 0).map_err(|e| format!("the font cannot be read: {e}"))
+}
+
+/// POV-Ray turns all text by a thousandth of a degree.
+fn turn() -> Transform {
+    Transform::rotation_deg(DVec3::splat(0.001))
+}
+
+/// All glyphs of a line beside each other, and what takes the result to text space.
+///
+/// # Errors
+/// A message if the font cannot be read.
+pub(super) fn text(text: &Text) -> Result<(Compiled, Transform), String> {
+    let face = face(text)?;
+    let scale = 1.0 / f64::from(face.units_per_em());
+    let mut outlines = Vec::new();
+    for (glyph, offset) in layout(text, &face) {
+        let mut builder = Pen { segments: Vec::new(), offset, scale, start: offset, last: offset };
         face.outline_glyph(glyph, &mut builder);
         if !builder.segments.is_empty() {
             outlines.push(Outline::new(builder.segments));
         }
-        pen.x += step / em;
-        previous = Some(glyph);
     }
     let prism = Prism {
         outlines: outlines.into(),
@@ -113,9 +131,28 @@ pub(super) fn text(text: &Text) -> Result<(Compiled, Transform), String> {
         high: text.thickness.max(0.0),
         conic: false,
         open: false,
+        caps_only: text.thickness < 0.0,
         outward_caps: true,
     };
-    // Prisms stand along y, text along z; POV-Ray turns the whole by a thousandth of a degree.
+    // Prisms stand along y, text along z.
     let upright = Transform::from_columns(DVec3::X, DVec3::Z, DVec3::Y, DVec3::ZERO).unwrap_or_default();
-    Ok((Compiled::Prism(prism), upright.then(&Transform::rotation_deg(DVec3::splat(0.001)))))
+    Ok((Compiled::Prism(prism), upright.then(&turn())))
+}
+
+/// POV-Ray's boxes of the glyphs, as the font gives them, in text space.
+///
+/// # Errors
+/// As [`text`].
+pub(super) fn glyph_boxes(text: &Text) -> Result<Vec<Bounds>, String> {
+    /// Room that POV-Ray leaves in front and behind.
+    const ROOM: f64 = 1e-6;
+    let face = face(text)?;
+    let em = f64::from(face.units_per_em());
+    let glyph_box = |(glyph, offset): (GlyphId, DVec2)| {
+        let b = face.glyph_bounding_box(glyph)?;
+        let corner = |x: i16, y: i16| DVec2::new(x.into(), y.into()) / em + offset;
+        let (low, high) = (corner(b.x_min, b.y_min), corner(b.x_max, b.y_max));
+        Some(turn().bounds(&Bounds::from_corners(low.extend(-ROOM), high.extend(text.thickness + ROOM))))
+    };
+    Ok(layout(text, &face).into_iter().filter_map(glyph_box).collect())
 }

@@ -1,5 +1,6 @@
 //! What is only known about isosurfaces once the picture is made.
 
+use super::POV_TINY;
 use crate::compiled::geometry::SearchNotes;
 use crate::diag::{Diagnostic, Span, Topic};
 use std::sync::Arc;
@@ -16,14 +17,11 @@ pub struct Watched {
     pub(super) adapts: bool,
 }
 
-/// POV-Ray compares nothing below this.
-const POV_LEAST: f64 = 1e-10;
-
 impl Watched {
     /// What to say after rendering, as far as there is something to say.
     pub fn warning(&self) -> Option<Diagnostic> {
         let (given, found) = (self.max_gradient, self.notes.steepest());
-        if self.adapts || given <= POV_LEAST || found <= POV_LEAST {
+        if self.adapts || given <= POV_TINY || found <= POV_TINY {
             return None;
         }
         let warning = |topic, text: &str| {

@@ -112,9 +112,14 @@ pub(crate) struct Primitive {
 }
 
 impl Primitive {
+    /// Around the surface, in the shape's own space.
+    pub(crate) fn local_bounds(&self) -> Bounds {
+        self.shape.bounds()
+    }
+
     /// Around the surface, in the group's space, with room for rounding.
     pub(crate) fn bounds(&self) -> Bounds {
-        let local = self.shape.bounds();
+        let local = self.local_bounds();
         let bounds = match &self.group_from_local {
             Some(place) => place.bounds(&local),
             None => local,

@@ -7,6 +7,7 @@ use crate::scene::{
     BicubicPatch, Blob, BlobComponent, HeightField, ImageFormat, ImageSource, Prism, Shape, SweepSpline, Text,
 };
 use crate::syntax::Keyword as K;
+use std::path::Path;
 use std::sync::Arc;
 
 /// Below this a blob cylinder has no axis, and two points of a sor have the same height, as in POV-Ray.
@@ -324,9 +325,25 @@ impl Evaluator<'_> {
         Ok(Shape::Text(Arc::new(Text { font, characters, unicode, thickness, offset })))
     }
 
+    /// A font of the system in place of one that comes with POV-Ray.
+    fn system_font(&mut self, name: &str, span: Span) -> SourceResult<Arc<[u8]>> {
+        let stem = name.rsplit(['/', '\\']).next().unwrap_or(name).trim_end_matches(".ttf").to_ascii_lowercase();
+        let fonts = STANDARD_FONTS.iter().find(|(standard, _)| *standard == stem).map_or(&[][..], |(_, fonts)| fonts);
+        let found = fonts.iter().find_map(|font| {
+            let path = FONT_FOLDERS.iter().map(|folder| Path::new(folder).join(font));
+            path.into_iter().find_map(|path| Some((self.host.read(&path).ok()?, path)))
+        });
+        let Some((bytes, path)) = found else {
+            return self.error(span, format!("cannot find the font \"{name}\""));
+        };
+        let message = format!("\"{name}\" comes with POV-Ray, which is not installed; {} stands in", path.display());
+        self.warn_here(Topic::Files, span, message);
+        Ok(bytes.into())
+    }
+
     fn font_file(&mut self, name: &str, span: Span) -> SourceResult<Arc<[u8]>> {
         let Some(path) = self.find_typed(name, &["ttf", "TTF", "ttc", "TTC"]) else {
-            return self.error(span, format!("cannot find the font \"{name}\""));
+            return self.system_font(name, span);
         };
         match self.host.read(&path) {
             Ok(bytes) => Ok(bytes.into()),
@@ -334,6 +351,37 @@ impl Evaluator<'_> {
         }
     }
 }
+
+/// The fonts that come with POV-Ray, by what resembles them: a Roman, a Roman with Cyrillic letters, a
+/// monospaced one; nothing resembles the logo, for which any font has to do.
+const STANDARD_FONTS: [(&str, &[&str]); 4] = {
+    const ROMAN: &[&str] = &[
+        "liberation/LiberationSerif-Regular.ttf",
+        "freefont/FreeSerif.ttf",
+        "dejavu/DejaVuSerif.ttf",
+        "times.ttf",
+        "Supplemental/Times New Roman.ttf",
+        "TTF/DejaVuSerif.ttf",
+    ];
+    const FIXED: &[&str] = &[
+        "liberation/LiberationMono-Regular.ttf",
+        "freefont/FreeMono.ttf",
+        "dejavu/DejaVuSansMono.ttf",
+        "cour.ttf",
+        "Supplemental/Courier New.ttf",
+        "TTF/DejaVuSansMono.ttf",
+    ];
+    [("timrom", ROMAN), ("cyrvetic", ROMAN), ("crystal", FIXED), ("povlogo", ROMAN)]
+};
+
+/// Where systems keep their fonts.
+const FONT_FOLDERS: [&str; 5] = [
+    "/usr/share/fonts/truetype",
+    "/usr/share/fonts",
+    "/usr/local/share/fonts",
+    "/System/Library/Fonts",
+    "C:/Windows/Fonts",
+];
 
 fn component(ends: [DVec3; 2], is_cylinder: bool, radius: f64, strength: f64) -> BlobComponent {
     BlobComponent { ends, is_cylinder, radius, strength, transform: Transform::IDENTITY, texture: None }

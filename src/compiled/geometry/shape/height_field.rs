@@ -1,8 +1,16 @@
 //! Heights over a grid.
+//!
+//! Two triangles stand on each cell. They are never stored: a pyramid of the lowest and highest
+//! height over ever larger squares of cells leads a ray to the cells that it may meet.
+//! Source of the pyramid: Tevs, Ihrke, Seidel, Maximum Mipmaps for Fast, Accurate, and Scalable
+//! Dynamic Height Field Rendering, 2008.
 
-use super::mesh::MeshTree;
-use super::{LocalSurface, Mesh, Primitive, ShapeHit, ShapeHits};
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Transform};
+use super::triangle::{TriangleRay, corner_error, locate};
+use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Transform, gamma};
+use glam::Vec3;
+use smallvec::SmallVec;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// A height field in grid units: cells of size 1 in x and z, heights 0 to 65535 in y.
@@ -17,10 +25,40 @@ pub(crate) struct HeightGrid {
     pub(crate) water: f64,
     /// Interpolated normals, or none.
     pub(crate) smooth: bool,
-    /// The two triangles of each cell; whole numbers are exact in single precision.
-    pub(crate) tree: Arc<MeshTree>,
     pub(crate) lowest: f64,
     pub(crate) highest: f64,
+    /// From single cells to one square around all.
+    pyramid: Vec<Level>,
+}
+
+/// Height ranges over squares of 2^n cells a side.
+#[derive(Debug)]
+struct Level {
+    width: usize,
+    /// Lowest and highest, by row of z, then x.
+    ranges: Vec<[u16; 2]>,
+}
+
+impl Level {
+    fn depth(&self) -> usize {
+        self.ranges.len() / self.width
+    }
+
+    /// Two by two squares become one.
+    fn halved(&self) -> Self {
+        let (width, depth) = (self.width.div_ceil(2), self.depth().div_ceil(2));
+        let range = |n: usize| {
+            let (i, k) = (n % width * 2, n / width * 2);
+            let four = [(i, k), (i + 1, k), (i, k + 1), (i + 1, k + 1)];
+            let inside = four.iter().filter(|(i, k)| *i < self.width && *k < self.depth());
+            inside.map(|(i, k)| self.ranges[k * self.width + i]).fold([u16::MAX, 0], around)
+        };
+        Self { width, ranges: (0..width * depth).map(range).collect() }
+    }
+}
+
+fn around(a: [u16; 2], b: [u16; 2]) -> [u16; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
 }
 
 /// A height field with the linear part of its place, in which normals are interpolated.
@@ -31,7 +69,92 @@ pub(crate) struct HeightField {
     pub(crate) group_from_grid: Box<Transform>,
 }
 
+/// What stops reciprocals of directions along an axis, so that a product with a distance of 0 is 0.
+const STEEPEST: f64 = 1e300;
+
 impl HeightGrid {
+    /// From at least two by two heights, by row of z, then x.
+    pub(crate) fn new(width: usize, heights: Vec<u16>, water: f64, smooth: bool) -> Self {
+        let depth = heights.len() / width;
+        let cell = |n: usize| {
+            let first = n / (width - 1) * width + n % (width - 1);
+            let four = [first, first + 1, first + width, first + width + 1];
+            four.into_iter().map(|i| [heights[i]; 2]).fold([u16::MAX, 0], around)
+        };
+        let mut pyramid = vec![Level { width: width - 1, ranges: (0..(width - 1) * (depth - 1)).map(cell).collect() }];
+        while let Some(level) = pyramid.last().filter(|level| level.ranges.len() > 1) {
+            pyramid.push(level.halved());
+        }
+        let [lowest, highest] = pyramid.last().map_or([0; 2], |top| top.ranges[0]).map(f64::from);
+        Self { width, depth, heights, water, smooth, lowest, highest, pyramid }
+    }
+
+    /// Corners of a face: two a cell, split from (i+1, k) to (i, k+1). Whole numbers, exact in single
+    /// precision.
+    fn corners(&self, face: usize) -> [[f32; 3]; 3] {
+        let (cell, across) = (face / 2, self.width - 1);
+        let (i, k) = (cell % across, cell / across);
+        let at = |i: usize, k: usize| [i as f32, f32::from(self.heights[k * self.width + i]), k as f32];
+        if face.is_multiple_of(2) {
+            [at(i, k), at(i + 1, k), at(i, k + 1)]
+        } else {
+            [at(i + 1, k + 1), at(i, k + 1), at(i + 1, k)]
+        }
+    }
+
+    /// Every crossing above the floor, with its face, from near cells to far ones. `found` may lower
+    /// the end of the range.
+    fn walk(
+        &self,
+        ray: &Ray,
+        range: Range,
+        mut found: impl FnMut(f64, usize, &mut f64) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let prepared = TriangleRay::new(ray);
+        let (o, d, floor) = (ray.origin, ray.direction, self.floor());
+        let size = DVec3::new(self.width as f64, self.highest, self.depth as f64);
+        // Triangles round products of coordinates this large: boxes have to be wider than that.
+        let pad = gamma(64) * o.abs().max(size).max_element();
+        let inverse = DVec3::from(d.to_array().map(|d| (1.0 / d).abs().min(STEEPEST).copysign(d)));
+        let near_child = [usize::from(d.x < 0.0), usize::from(d.z < 0.0)];
+        let mut t_max = range.max;
+        let mut waiting: SmallVec<[(u8, u32, u32); 64]> = SmallVec::new();
+        waiting.push((self.pyramid.len() as u8 - 1, 0, 0));
+        while let Some((n, i, k)) = waiting.pop() {
+            let (level, i, k) = (&self.pyramid[usize::from(n)], i as usize, k as usize);
+            let [low, high] = level.ranges[k * level.width + i].map(f64::from);
+            let corner = DVec3::new((i << n) as f64, low, (k << n) as f64) - pad;
+            let opposite = DVec3::new(((i + 1) << n) as f64, high, ((k + 1) << n) as f64) + pad;
+            let (a, b) = ((corner - o) * inverse, (opposite - o) * inverse);
+            let (enter, leave) = (a.min(b).max_element(), a.max(b).min_element());
+            if enter.max(range.min) > leave.min(t_max) || high < floor {
+                continue;
+            }
+            if n == 0 {
+                for face in [2 * (k * level.width + i), 2 * (k * level.width + i) + 1] {
+                    let corners = self.corners(face);
+                    if let Some(t) = prepared.crossing(corners.each_ref())
+                        && range.min < t
+                        && t < t_max
+                        && o.y + t * d.y >= floor
+                    {
+                        found(t, face, &mut t_max)?;
+                    }
+                }
+                continue;
+            }
+            let below = &self.pyramid[usize::from(n) - 1];
+            // The farthest first, so that the nearest comes off first.
+            for (x, z) in [(1, 1), (0, 1), (1, 0), (0, 0)] {
+                let (i, k) = (2 * i + (x ^ near_child[0]), 2 * k + (z ^ near_child[1]));
+                if i < below.width && k < below.depth() {
+                    waiting.push((n - 1, i as u32, k as u32));
+                }
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
     fn height(&self, i: usize, k: usize) -> f64 {
         f64::from(self.heights[k.min(self.depth - 1) * self.width + i.min(self.width - 1)])
     }
@@ -61,12 +184,8 @@ impl HeightGrid {
 }
 
 impl HeightField {
-    fn mesh(&self) -> Mesh {
-        Mesh { tree: Arc::clone(&self.grid.tree), inside_vector: None }
-    }
-
-    fn above_water(&self, ray: &Ray, t: f64) -> bool {
-        ray.origin.y + t * ray.direction.y >= self.grid.floor()
+    fn walk(&self, ray: &Ray, range: Range, found: impl FnMut(f64, usize, &mut f64) -> ControlFlow<()>) {
+        let _: ControlFlow<()> = self.grid.walk(ray, range, found);
     }
 }
 
@@ -78,27 +197,24 @@ impl Primitive for HeightField {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        let first = out.len();
-        self.mesh().crossings(ray, range, out);
-        let mut kept = first;
-        for i in first..out.len() {
-            if self.above_water(ray, out[i].t) {
-                out[kept] = out[i];
-                kept += 1;
-            }
-        }
-        out.truncate(kept);
+        self.walk(ray, range, |t, face, _| {
+            out.push(ShapeHit { t, part: face as u32 });
+            ControlFlow::Continue(())
+        });
     }
 
-    fn intersect(&self, ray: &Ray, mut range: Range) -> Option<ShapeHit> {
-        let mesh = self.mesh();
-        loop {
-            let hit = mesh.intersect(ray, range)?;
-            if self.above_water(ray, hit.t) {
-                return Some(hit);
-            }
-            range.min = hit.t;
-        }
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
+        let mut best = None;
+        self.walk(ray, range, |t, face, t_max| {
+            *t_max = t;
+            best = Some(ShapeHit { t, part: face as u32 });
+            ControlFlow::Continue(())
+        });
+        best
+    }
+
+    fn occluded(&self, ray: &Ray, range: Range) -> bool {
+        self.grid.walk(ray, range, |_, _, _| ControlFlow::Break(())).is_break()
     }
 
     fn contains(&self, p: DVec3) -> bool {
@@ -122,12 +238,11 @@ impl Primitive for HeightField {
     }
 
     fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
-        let mut surface = self.mesh().surface(ray, t, part);
-        if surface.normal.y < 0.0 {
-            surface.normal = -surface.normal;
-        }
-        surface.uv = None;
         let g = &self.grid;
+        let corners = g.corners(part as usize).map(|c| Vec3::from(c).as_dvec3());
+        let (point, _) = locate(ray.at(t), corners);
+        let [a, b, c] = corners;
+        let mut surface = LocalSurface::plain(point, corner_error(corners), (c - a).cross(b - a));
         if g.smooth {
             let p = surface.point;
             let (i, k) = (p.x.clamp(0.0, (g.width - 2) as f64) as usize, p.z.clamp(0.0, (g.depth - 2) as f64) as usize);

@@ -74,6 +74,7 @@ impl Julia {
         if self.hypercomplex { squared } else { squared + ESCAPE_SLACK }
     }
 
+    #[inline]
     fn start(&self, p: DVec3) -> DVec4 {
         p.extend(self.slice.dot(p) + self.slice_offset)
     }
@@ -84,11 +85,13 @@ impl Julia {
         self.start(if polynomial { p } else { p.with_z(p.y) })
     }
 
+    #[inline]
     fn next(&self, q: DVec4) -> DVec4 {
         self.parameter + if self.hypercomplex { Pair::from(q).apply(self.function).into() } else { self.power(q) }
     }
 
     /// Square or cube of a quaternion with its real part first.
+    #[inline]
     fn power(&self, q: DVec4) -> DVec4 {
         let (real, vector) = (q.x, DVec3::new(q.y, q.z, q.w));
         let squared = vector.length_squared();
@@ -117,29 +120,39 @@ impl Julia {
     }
 
     /// Whether a sample is inside, and how far the next one may be.
+    #[inline]
     fn sample(&self, p: DVec3, direction: DVec3) -> (bool, f64) {
-        let (mut q, escape) = (self.start(p), self.escape());
+        let start = self.start(p);
+        if !self.hypercomplex {
+            return self.quaternion_sample(start);
+        }
+        let (mut q, escape) = (start, self.escape());
         let mut orbit = Orbit::new();
         for _ in 0..self.n_iterations {
             orbit.push(q);
             let n = q.length_squared();
             if n > escape {
-                let step = if self.hypercomplex {
-                    self.hypercomplex_step(&orbit, n, direction)
-                } else {
-                    self.quaternion_step(&orbit, n)
-                };
-                return (false, step);
+                return (false, self.hypercomplex_step(&orbit, n, direction));
             }
             q = self.next(q);
         }
         (true, self.smallest_step)
     }
 
-    fn quaternion_step(&self, orbit: &Orbit, n: f64) -> f64 {
+    /// The estimate of a quaternion's distance needs no more of its orbit than the product of lengths.
+    fn quaternion_sample(&self, mut q: DVec4) -> (bool, f64) {
         let degree: f64 = if matches!(self.function, JuliaFunction::Cube) { 3.0 } else { 2.0 };
-        let product: f64 = orbit.iter().map(|q| q.length()).product();
-        n.sqrt() * n.ln() / (product * degree.powi(orbit.len() as i32))
+        let (escape, mut squares, mut power) = (self.escape(), 1.0, 1.0);
+        for _ in 0..self.n_iterations {
+            let n = q.length_squared();
+            squares *= n;
+            power *= degree;
+            if n > escape {
+                return (false, (n / squares).sqrt() * n.ln() / power);
+            }
+            q = self.parameter + self.power(q);
+        }
+        (true, self.smallest_step)
     }
 
     fn hypercomplex_step(&self, orbit: &Orbit, n: f64, direction: DVec3) -> f64 {

@@ -37,6 +37,8 @@ pub(crate) struct Prism {
     /// The outline stands at y = 1 and grows from the origin.
     pub(crate) conic: bool,
     pub(crate) open: bool,
+    /// Two caps and nothing between or inside, as POV-Ray makes of text with a negative thickness.
+    pub(crate) caps_only: bool,
     /// The lower cap's normal points down, as in text; prisms have both pointing up.
     pub(crate) outward_caps: bool,
 }
@@ -113,7 +115,8 @@ impl Primitive for Prism {
             if !self.may_meet(outline, ray, range) {
                 continue;
             }
-            for (segment, part) in outline.segments.iter().zip(first..) {
+            let sides = if self.caps_only { &[][..] } else { &outline.segments[..] };
+            for (segment, part) in sides.iter().zip(first..) {
                 self.sides(segment, ray, |t, _| {
                     let y = ray.origin.y + t * ray.direction.y;
                     if range.contains(t) && self.low <= y && y <= self.high {
@@ -137,7 +140,7 @@ impl Primitive for Prism {
 
     fn contains(&self, p: DVec3) -> bool {
         let within = self.low <= p.y && p.y <= self.high && !(self.conic && p.y.abs() <= 1e-10);
-        within && self.outlines.iter().any(|o| o.contains(self.flat(p, p.y)))
+        within && !self.caps_only && self.outlines.iter().any(|o| o.contains(self.flat(p, p.y)))
     }
 
     fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
