@@ -16,5 +16,5 @@ mod topic;
 
 pub use diagnostic::{Diagnostic, Severity, SourceResult};
 pub use source_map::{Excerpt, FileId, LineColumn, SourceFile, SourceMap, Span};
-pub use suggest::nearest;
+pub use suggest::{completed, nearest};
 pub use topic::Topic;

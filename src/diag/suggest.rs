@@ -16,6 +16,15 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     best.map(|(_, candidate)| candidate)
 }
 
+/// The shortest candidate that begins with a word of some length.
+pub fn completed<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    /// Shorter words begin too many others.
+    const SHORTEST: usize = 5;
+    let longer =
+        candidates.into_iter().filter(|c| word.len() >= SHORTEST && c.len() > word.len() && c.starts_with(word));
+    longer.min_by_key(|c| (c.len(), *c))
+}
+
 /// Edits that turn `a` into `b`, a swap of neighbours counting as one; anything above `limit`
 /// may be returned as `limit + 1`. Source: optimal string alignment distance.
 fn distance(a: &str, b: &str, limit: usize) -> usize {
@@ -41,7 +50,14 @@ fn distance(a: &str, b: &str, limit: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{completed, nearest};
+
+    #[test]
+    fn beginnings_are_recognised() {
+        let words = ["select", "reflection", "reflection_exponent", "box"];
+        assert_eq!(completed("reflect", words), Some("reflection"));
+        assert_eq!((completed("bo", words), completed("reflection_exponent", words)), (None, None));
+    }
 
     fn check(word: &str, expected: Option<&str>) {
         assert_eq!(nearest(word, ["sphere", "box", "translate", "Chrome_Texture", "T1", "T2"]), expected, "{word}");

@@ -64,7 +64,13 @@ fn in_block(block: &str, found: &Found<'_>) -> Option<String> {
             }
             _ => format!("is the '}}' of the {block} missing before it?"),
         },
+        Found::Sign(',') if block == "pigment" => {
+            "a colour's components stand in angle brackets: rgb <1, 0.5, 0>".into()
+        }
         Found::Sign(',') => "no ',' belongs here".into(),
+        Found::Keyword(K::Color | K::Colour | K::Rgb | K::Rgbf | K::Rgbt | K::Rgbft) => {
+            "a colour stands in a pigment: pigment { rgb <1, 0, 0> }".into()
+        }
         Found::Keyword(K::X | K::Y | K::Z) => "is a '*' missing before it, as in 30 * x?".into(),
         Found::Number | Found::Sign('<') => {
             "is a ',' or an operator missing before it, or a word such as scale?".into()
@@ -86,11 +92,16 @@ fn elsewhere(expected: &str, found: &Found<'_>) -> Option<String> {
         Found::Sign(',') if expected.starts_with("')' to close") => "vectors stand in angle brackets: <1, 2, 3>",
         Found::Sign(',') if expected.starts_with("'>'") => "a vector has two to five components",
         Found::Number if expected.starts_with("')' behind the arguments") => "arguments are separated by commas",
+        _ if expected.starts_with("'(' before the condition") => "conditions stand in parentheses: #while (I < 5)",
+        Found::Sign('=') if expected.starts_with("a number, a vector") => {
+            "a loop is written #for (I, 0, 4), a declaration #declare I = 0;"
+        }
         Found::Number if expected == "a string" => "str(NUMBER, 0, -1) makes a string of a number",
         Found::String if expected.contains("number") => "val(STRING) makes a number of a string",
         Found::Keyword(_) | Found::Sign('}') if expected.starts_with("a number, a vector") => {
             "a value is missing before it; a ',' is needed where the next value begins with a sign"
         }
+        _ if expected.starts_with("';' behind the value") => "what is declared before it must end with ';'",
         _ => return None,
     };
     Some(hint.to_owned())

@@ -395,7 +395,11 @@ impl Evaluator<'_> {
                 Some(number) => Ok(number),
                 None => {
                     let (kind, word) = (value.kind(), self.names.word(name).clone());
-                    self.error(span, format!("expected a number or vector, found the {kind} '{word}'"))
+                    let message = format!("expected a number or vector, found the {kind} '{word}'");
+                    match kind {
+                        "string" => self.error_with_hint(span, message, format!("val({word}) makes a number of it")),
+                        _ => self.error(span, message),
+                    }
                 }
             },
         }

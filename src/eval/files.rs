@@ -151,8 +151,9 @@ impl Evaluator<'_> {
         })?;
         if let Some(text) = self.unsaved.get_mut(&bytes.0) {
             text.extend(bytes.1);
-            if text.len() > self.options.limits.string_bytes {
-                let limit = self.options.limits.string_bytes;
+            // A file is many strings: mesh cameras write a hundred megabytes.
+            let limit = self.options.limits.string_bytes.saturating_mul(16);
+            if text.len() > limit {
                 return self.limit(span, format!("more than {limit} bytes written"), "string_bytes");
             }
             return Ok(());

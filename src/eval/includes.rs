@@ -10,6 +10,15 @@ use std::path::{Path, PathBuf};
 impl Evaluator<'_> {
     /// `#include S`: the text of the file comes next.
     pub(super) fn include(&mut self, span: Span) -> SourceResult<()> {
+        if !self.starts_string()? {
+            self.given_up.set(true);
+            let at = self.span();
+            return self.error_with_hint(
+                at,
+                "expected the name of an include file",
+                "it stands in quotes: #include \"colors.inc\"",
+            );
+        }
         let name = self.file_name()?;
         let extensions: &[&str] = if name.ends_with(".inc") || name.ends_with(".INC") {
             &["", ".inc", ".INC"]

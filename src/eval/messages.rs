@@ -2,7 +2,7 @@
 
 use super::Evaluator;
 use super::standard_includes::{advice_on_texture, declared_in};
-use crate::diag::{Diagnostic, SourceResult, Span, Topic, nearest};
+use crate::diag::{Diagnostic, SourceResult, Span, Topic, completed, nearest};
 use crate::syntax::{Keyword, Symbol, Token, TokenKind};
 
 #[allow(clippy::missing_errors_doc)]
@@ -71,15 +71,21 @@ impl Evaluator<'_> {
 
     /// Where a name comes from, or "did you mean …?"
     pub(super) fn near_name(&self, name: Symbol) -> Option<String> {
-        if let Some(file) = declared_in(self.names.word(name)) {
+        let word = self.names.word(name);
+        let lower = word.to_ascii_lowercase();
+        if lower != **word && Keyword::from_word(&lower).is_some() {
+            return Some(format!("did you mean '{lower}'? The words of the language are in lower case"));
+        }
+        if let Some(file) = declared_in(word) {
             return Some(format!("it is declared in a standard file: #include \"{file}\""));
         }
-        if let Some(advice) = advice_on_texture(self.names.word(name)) {
+        if let Some(advice) = advice_on_texture(word) {
             return Some(advice);
         }
         let declared = self.scopes.names().map(|s| &**self.names.word(s));
         let words = Keyword::ALL.iter().map(|k| k.word());
-        nearest(self.names.word(name), declared.chain(words)).map(|near| format!("did you mean '{near}'?"))
+        let beginning = completed(word, words.clone());
+        beginning.or_else(|| nearest(word, declared.chain(words))).map(|near| format!("did you mean '{near}'?"))
     }
 
     /// An error for a name that is not declared.

@@ -25,9 +25,14 @@ impl Evaluator<'_> {
     /// A picture: `[type] "file"` or `function w, h { … }`, with `gamma` and `premultiplied`.
     pub(super) fn image(&mut self) -> SourceResult<Image> {
         if self.accept(K::Function)? {
+            let span = self.span();
             let width = self.image_side()?;
             self.comma()?;
             let height = self.image_side()?;
+            let limit = self.options.limits.array_elements;
+            if width as usize * height as usize > limit {
+                return self.limit(span, format!("this picture has more than {limit} pixels"), "array_elements");
+            }
             let function = self.plain_function()?;
             return Ok(Image {
                 source: ImageSource::Function { width, height, function },

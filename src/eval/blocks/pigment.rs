@@ -87,7 +87,6 @@ impl Evaluator<'_> {
     }
 
     fn pigment_item(&mut self, draft: &mut Draft) -> SourceResult<bool> {
-        self.comma()?;
         match self.keyword()? {
             Some(K::ImageMap) => {
                 self.next()?;

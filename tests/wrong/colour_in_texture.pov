@@ -1,0 +1,5 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -5> look_at 0 }
+light_source { <5, 5, -5>, rgb 1 }
+box { <-1, -1, -1>, <1, 1, 1> texture { color rgb <1, 0, 0> } }
