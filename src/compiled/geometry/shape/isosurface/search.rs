@@ -18,9 +18,9 @@ const FARTHEST: f64 = 2e10;
 /// this, `max_gradient` is believed.
 const MOST_PIECES: u32 = 1 << 11;
 
-/// Pieces shorter than `accuracy` that may be looked at between two samples: three for each of the
-/// 50 halvings that a number has bits for.
-const MOST_FINE_PIECES: u32 = 150;
+/// Pieces shorter than `accuracy` that one search may look at between samples: three for each of the
+/// 50 halvings that a number has bits for, and as much again for a second place.
+const MOST_FINE_PIECES: u32 = 300;
 
 /// A ray's search for hits.
 pub(super) struct Search<'a> {
@@ -92,7 +92,7 @@ impl<'a> Search<'a> {
             slots: Slots::new(),
             enclosures: EnclosureSlots::new(),
             pieces_left: if surface.guaranteed { MOST_PIECES } else { 0 },
-            fine_pieces_left: 0,
+            fine_pieces_left: MOST_FINE_PIECES,
             steepest: 0.0,
             lost: false,
         }
@@ -253,7 +253,6 @@ impl<'a> Search<'a> {
         if self.pieces_left == 0 || s.at_low < 0.0 {
             return None;
         }
-        self.fine_pieces_left = MOST_FINE_PIECES;
         let root = self.look_between(s)?;
         self.lost = true;
         Some(root)
