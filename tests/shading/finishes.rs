@@ -113,3 +113,20 @@ fn energy_is_conserved_where_asked() {
     sheet("reflection .5 conserve_energy", [0.130007, 0.259998, 0.390005]);
     sheet("reflection rgb <.5,.2,0> conserve_energy", [0.130007, 0.175998, 0.179995]);
 }
+
+#[test]
+fn little_is_mirrored_head_on() {
+    let wall =
+        "plane{-z,0 pigment{rgb <1,.5,.25>} finish{ambient 0 diffuse 0 reflection{0,1 fresnel}} interior{ior 1.5}}";
+    check(&format!("{CZ} {BG} {wall}"), [0.007996, 0.016007, 0.024002]);
+}
+
+#[test]
+fn opacity_depends_on_the_version() {
+    let wall = "plane{-z,0 pigment{rgbf <.5,.25,.125,.4>} finish{diffuse .7 ambient .2}}";
+    for (version, expected) in [("3.7", 0.178790), ("3.6", 0.238392)] {
+        let scene = format!("#version {version}; {CZ} light_source{{<0,5,-5> rgb .8}} {wall}");
+        let found = pixel(&scene, &single())[0];
+        assert!((found - expected).abs() <= TOLERANCE, "{found} instead of {expected} in version {version}");
+    }
+}

@@ -76,3 +76,62 @@ fn light_fades_inside() {
     let glass = format!("box{{<-9,-9,-4>,<9,9,-2> {CLEAR} interior{{fade_distance 1 fade_power 2}} no_image}}");
     check_grey(&format!("{CZ} {WALL} {lamp} {glass}"), 0.160006);
 }
+
+#[test]
+fn interiors_of_solids() {
+    let bare = |a: &str, b: &str, more: &str| format!("box{{<-9,{a},-9>,<9,{b},9> {more}}}");
+    let glass = "interior{ior 1.5}";
+    let (upper, lower) = (bare("-2", "0", ""), bare("-3", "-1", ""));
+    above(&format!("union{{{upper} {lower} {CLEAR} {glass}}}"), [0.453452; 3]);
+    above(&format!("merge{{{upper} {lower} {CLEAR} {glass}}}"), [0.430182; 3]);
+    above(&format!("{} {}", slab("-2", "0", "1.5"), slab("-3", "-1", "1.5")), [0.430182; 3]);
+}
+
+#[test]
+fn legacy_refraction_counts_in_maps_only() {
+    let map = "texture{gradient x texture_map{[0 pigment{rgbt 1} finish{ambient 0 diffuse 0}]\
+        [1 pigment{rgbt 1} finish{ambient 0 diffuse 0}]}}";
+    above(&format!("plane{{y,0 {map} interior{{ior 1.5 refraction .5}}}}"), [0.133623; 3]);
+}
+
+#[test]
+fn dispersion_and_total_reflection() {
+    let water = "plane{y,0 pigment{rgbf <1,.5,.25,.5>} finish{ambient 0 diffuse 0 reflection .3} \
+        interior{ior .5 dispersion 1.1}}";
+    check(&format!("{CY} {BG} {water}"), [0.159380, 0.220005, 0.254719]);
+}
+
+#[test]
+fn fresnel_in_nests() {
+    let lamp = "plane{z,-20 pigment{rgb 1} finish{ambient 0 diffuse 0 emission 5}}";
+    let mirror = "finish{ambient 0 diffuse 0 reflection{0,1 fresnel}}";
+    let glass = |a: u32, b: u32, ior: &str, finish: &str| {
+        format!("box{{<-9,-9,{a}>,<9,9,{b}> pigment{{rgbt 1}} {finish} interior{{ior {ior}}}}}")
+    };
+    let plain = "finish{ambient 0 diffuse 0}";
+    let nest = |objects: &str, expected: f32| {
+        check_grey(&format!("{CZ} global_settings{{max_trace_level 30}} {lamp} {objects}"), expected);
+    };
+    nest(&glass(0, 4, "1.5", mirror), 0.4);
+    nest(&format!("{} {}", glass(0, 4, "1.5", mirror), glass(2, 8, "2", plain)), 0.302037);
+    nest(&format!("{} {}", glass(0, 10, "1.5", plain), glass(2, 4, "2", mirror)), 0.102037);
+}
+
+#[test]
+fn fading_has_its_limits() {
+    let filled = |interior: &str, more: &str, expected: f32| {
+        let glass = format!("box{{<-9,-9,0>,<9,9,2> {CLEAR} interior{{{interior}}}}}");
+        check_grey(&format!("{CZ} background{{rgb .8}} {glass} {more}"), expected);
+    };
+    filled("fade_distance 1 fade_power 2", "", 0.160006);
+    filled("fade_distance 1 fade_power -1", "", 0.533333);
+    filled("fade_distance 3 fade_power 999 fade_color <.5,.2,0>", "", 0.8);
+    let opaque = "box{<-9,-9,1>,<9,9,1.5> pigment{rgb 1} finish{ambient .5 diffuse 0}}";
+    filled("fade_distance 1 fade_power 2", opaque, 0.500008);
+    let around = |more: &str, expected: f32| {
+        let glass = format!("box{{<-9,-9,-4>,<9,9,2> {CLEAR} interior{{fade_distance 1 fade_power 2}} {more}}}");
+        check_grey(&format!("{CZ} {WALL} light_source{{<0,0,-9.5> rgb .8}} {glass}"), expected);
+    };
+    around("", 0.047059);
+    around("no_image", 0.8);
+}

@@ -104,3 +104,25 @@ fn light_groups() {
     check_grey(&group(""), 0.4);
     check_grey(&group("global_lights on"), 0.700008);
 }
+
+#[test]
+fn adaptive_samples_stop_at_small_differences() {
+    for (brightness, expected) in [(".033", 0.016495), (".034", 0.021256)] {
+        let sheet = "box{<.4,-9,-5>,<9,9,-4.9999> no_image}";
+        let light = format!("<0,0,-10> rgb {brightness} area_light <4,0,0>,<0,4,0>,5,5 adaptive 0");
+        check_grey(&format!("{CZ} {WALL} {sheet} light_source{{{light}}}"), expected);
+    }
+}
+
+#[test]
+fn light_groups_in_light_groups() {
+    let nest = |outer: &str, inner: &str| {
+        format!(
+            "{CZ} light_source{{<0,0,-5> rgb .1}} light_group{{light_source{{<0,0,-5> rgb .4}} \
+             light_group{{light_source{{<0,0,-5> rgb .2}} {WALL} {inner}}} {outer}}}"
+        )
+    };
+    check_grey(&nest("", ""), 0.2);
+    check_grey(&nest("", "global_lights on"), 0.2);
+    check_grey(&nest("global_lights on", ""), 0.300008);
+}

@@ -71,3 +71,51 @@ fn bumps_bend_reflections_and_refractions() {
         check_within(&format!("{camera} {below} {floor}"), [expected; 3], 1e-4);
     }
 }
+
+#[test]
+fn sheets_that_let_little_through_end_rays() {
+    let behind = |pigment: &str, emission: u32, expected: [f32; 3]| {
+        let sheet = format!("plane{{-z,0 pigment{{{pigment}}} finish{{ambient 0 diffuse 0}}}}");
+        let lamp = format!("plane{{z,20 pigment{{rgb 1}} finish{{ambient 0 diffuse 0 emission {emission}}}}}");
+        check_within(&format!("{CZ} {sheet} {lamp}"), expected, 3e-5);
+    };
+    behind("rgbt <1,1,1,.0039>", 100, [0.0; 3]);
+    behind("rgbt <1,1,1,.0040>", 100, [0.4; 3]);
+    behind("rgbf <0,0,1,.03>", 30, [0.0; 3]);
+    behind("rgbf <0,0,1,.036>", 25, [0.0, 0.0, 0.900008]);
+}
+
+#[test]
+fn the_most_that_may_be_mirrored_counts() {
+    let bright = "plane{z,-20 pigment{rgb 1} finish{ambient 0 diffuse 0 emission 100}}";
+    for (fresnel, expected) in [("", 0.100008), ("fresnel", 0.0)] {
+        let wall =
+            format!("plane{{-z,0 pigment{{rgb 1}} finish{{ambient 0 diffuse 0 reflection{{.001,.9 {fresnel}}}}}}}");
+        check_within(&format!("{CZ} {wall} {bright}"), [expected; 3], 3e-5);
+    }
+}
+
+#[test]
+fn bumps_change_how_much_is_mirrored() {
+    let camera = "camera{location <-5,5,0> look_at 0 right z up y angle 1} background{rgb .5}";
+    for (a, plain, fresnel) in [(".3", 0.408820, 0.185382), ("1", 0.513863, 0.500008)] {
+        let floor = |more: &str| {
+            let finish = format!("finish{{ambient 0 diffuse 0 reflection{{0,1 {more}}}}}");
+            format!("{camera} plane{{y,0 pigment{{rgb 0}} normal{{function{{x}} {a}}} {finish} interior{{ior 1.5}}}}")
+        };
+        check_within(&floor(""), [plain; 3], 1e-4);
+        check_within(&floor("fresnel"), [fresnel; 3], 1e-4);
+    }
+}
+
+#[test]
+fn bends_and_mirrors_add_levels() {
+    let limit = |m: u32| format!("{CZ} {BG} global_settings{{max_trace_level {m}}}");
+    let glass = format!("box{{<-9,-9,0>,<9,9,2> {CLEAR} interior{{ior 1.5}}}}");
+    let mirror = "plane{-z,0 pigment{rgb 1} finish{ambient 0 diffuse 0 reflection 1}}";
+    let behind_the_camera = format!("disc{{<0,0,-12>,z,1 {CLEAR}}}");
+    for (m, expected) in [(2, [0.0; 3]), (3, [0.2, 0.4, 0.6])] {
+        check(&format!("{} {glass}", limit(m)), expected);
+        check(&format!("{} {mirror} {behind_the_camera}", limit(m)), expected);
+    }
+}

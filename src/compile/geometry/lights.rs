@@ -33,7 +33,10 @@ pub(super) fn collect_lights(
         }
         Shape::LightGroup { children, global_lights } => {
             let id = LightGroupId(out.light_groups.len() as u32);
-            out.light_groups.push(LightGroup { global_lights: *global_lights });
+            // Of groups in groups the outermost decides.
+            let outer = group.and_then(|g| out.light_groups.get(g.0 as usize));
+            let global_lights = outer.map_or(*global_lights, |outer| outer.global_lights);
+            out.light_groups.push(LightGroup { global_lights });
             for child in children.iter() {
                 collect_lights(child, &world_from_shape, Some(id), census, out);
             }
