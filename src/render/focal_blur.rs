@@ -5,11 +5,11 @@
 use super::camera::RawRay;
 use super::gather::Gather;
 use super::jitter::{jitter, shuffled};
-use super::mersenne::MersenneTwister;
 use super::ray::Radiance;
 use super::tracer::Tracer;
 use crate::compiled::camera::{Camera, FocalBlur};
 use crate::compiled::texture::Context;
+use crate::math::MersenneTwister;
 use crate::math::{DVec2, DVec3, Ray, gray};
 use std::f64::consts::{PI, TAU};
 use std::rc::Rc;
@@ -201,16 +201,16 @@ fn round_points(n: usize) -> Vec<DVec2> {
 
 /// Points over a lens whose shape a pigment draws on the unit square.
 fn bokeh_points(n: usize, brightness: impl Fn(f64, f64) -> f64) -> Vec<DVec2> {
-    let mut random = MersenneTwister::new();
+    let mut random = MersenneTwister::default();
     // POV-Ray's stream starts with the second number.
-    random.next();
+    random.next_u32();
     let mut points = Vec::with_capacity(n);
     let mut tries = 0u64;
     while points.len() < n {
         tries += 1;
         let (x, y) = (radical_inverse(tries, 2), radical_inverse(tries, 3));
         // The second term grows until every point is accepted, so a black pigment ends, too.
-        if random.unit() <= brightness(x, y) + (tries - 1) as f64 / (n * n) as f64 {
+        if random.next_f64() <= brightness(x, y) + (tries - 1) as f64 / (n * n) as f64 {
             points.push(DVec2::new(x - 0.5, y - 0.5));
         }
     }

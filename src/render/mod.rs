@@ -17,7 +17,6 @@ mod image_layers;
 mod jitter;
 mod layers;
 mod lights;
-mod mersenne;
 mod mesh_camera;
 mod options;
 mod random;

@@ -270,3 +270,24 @@ fn too_deep_is_an_error() {
     let messages = compile_object(&Arc::new(o)).unwrap_err();
     assert!(messages[0].message.contains("nested"), "{messages:?}");
 }
+
+#[test]
+fn what_stood_in_the_way_last_changes_no_answer() {
+    // A shared group that reaches to infinity, in two places.
+    let spheres = (0..6).map(|i| sphere(v(3.0 * f64::from(i), 0.0, 0.0), 1.0));
+    let floor = object(Shape::Plane { normal: DVec3::Y, distance: -100.0 });
+    let thing = csg(CsgOperation::Union, spheres.chain([floor]));
+    let copies = [-50.0, 50.0].map(|x| Arc::new(moved(thing.clone(), &Transform::translation(v(x, 0.0, 0.0)))));
+    let default = Arc::default();
+    let objects: Vec<_> = copies.iter().map(|o| (o, &default)).collect();
+    let geometry = super::build(&objects, true).unwrap().geometry;
+    assert_eq!(geometry.instances.len(), 2);
+    let mut scratch = Scratch::default();
+    // From above onto the copies and beside them, by turns.
+    for x in [-50.0, 0.0, 53.0, 3.0, -47.0, 100.0] {
+        let ray = Ray::new(v(x, 10.0, 0.0), DVec3::NEG_Y);
+        let range = Range { max: 50.0, ..Range::FORWARD };
+        let fresh = geometry.occluded(&ray, range, 0, &mut Scratch::default());
+        assert_eq!(geometry.occluded(&ray, range, 0, &mut scratch), fresh, "at x = {x}");
+    }
+}

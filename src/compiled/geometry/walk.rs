@@ -38,18 +38,25 @@ impl<'a> Walk<'a> {
     /// Goes through a group; `ray` is in the group's space. Breaks when any hit will do and there is one.
     pub(super) fn group(&mut self, group: &Group, ray: &Ray) -> ControlFlow<()> {
         for item in &group.infinite {
-            self.item(item, ray)?;
+            self.tried(item, ray)?;
         }
         group.bvh.walk(ray, self.range, |items, t_max| {
             for item in &group.items[items] {
-                if self.item(item, ray).is_break() {
-                    self.blocker = Some(*item);
-                    return ControlFlow::Break(());
-                }
+                self.tried(item, ray)?;
             }
             *t_max = self.range.max;
             ControlFlow::Continue(())
         })
+    }
+
+    /// An item of a group; one that ends the search is noted, over any of a group within it.
+    #[inline]
+    fn tried(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
+        let flow = self.item(item, ray);
+        if flow.is_break() {
+            self.blocker = Some(*item);
+        }
+        flow
     }
 
     #[inline]
