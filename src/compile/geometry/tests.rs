@@ -291,3 +291,15 @@ fn what_stood_in_the_way_last_changes_no_answer() {
         assert_eq!(geometry.occluded(&ray, range, 0, &mut scratch), fresh, "at x = {x}");
     }
 }
+
+#[test]
+fn rays_along_the_axis_meet_a_cone() {
+    let slope = Some(v(1.0, 1.0, 0.0).normalize());
+    check(
+        &cone(DVec3::ZERO, 1.0, DVec3::Y, 0.0, false),
+        v(0.5, 5.0, 0.0),
+        DVec3::NEG_Y,
+        Some((v(0.5, 0.5, 0.0), slope)),
+    );
+    check(&cylinder(DVec3::ZERO, DVec3::Y, 1.0, true), v(0.5, 5.0, 0.0), DVec3::NEG_Y, None);
+}

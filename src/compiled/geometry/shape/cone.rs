@@ -55,7 +55,8 @@ impl Primitive for Cone {
                 out.push(ShapeHit { t, part });
             }
         };
-        if across > 0.0 {
+        // A ray along the axis meets the side of a cone, but never that of a cylinder.
+        if across > 0.0 || self.taper.is_some() {
             let mut roots = quadratic_roots(a, b, c);
             if let Some([first, second]) = roots
                 && first == second
