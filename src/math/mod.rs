@@ -13,6 +13,7 @@ mod color;
 mod error_bound;
 mod mersenne_twister;
 pub mod noise;
+mod noise_series;
 mod noise_table;
 mod ray;
 mod roots;

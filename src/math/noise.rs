@@ -4,12 +4,15 @@
 //! scaled differently; generator 3 is Perlin's gradient noise. Vector noise is the lattice
 //! noise read at three offsets of the table, whatever the generator.
 //!
-//! The eight corners of a lattice cell are worked on in pairs, in SIMD lanes; sums keep POV-Ray's order.
+//! The eight corners of a lattice cell are worked on in pairs, in SIMD lanes; sums keep POV-Ray's order. Several
+//! frequencies of one point go together (`noise_series`).
 //!
 //! Source: sections 5.2 to 5.5 of the function facts, measured on POV-Ray 3.7.0.10.
 
 use super::DVec3;
+use super::noise_series::{ROOM, Series};
 use super::noise_table::NOISE_TABLE;
+use arrayvec::ArrayVec;
 use std::sync::LazyLock;
 use wide::f64x2;
 
@@ -93,9 +96,9 @@ struct Cell {
 }
 
 /// Just below one: coordinates above -1e-10 belong to cell 0, as in POV-Ray.
-const POV_ALMOST_ONE: f64 = 1.0 - 1e-10;
+pub(super) const POV_ALMOST_ONE: f64 = 1.0 - 1e-10;
 /// Moves cells of ordinary coordinates into positive numbers, as in POV-Ray.
-const POV_OFFSET: i32 = 10_000;
+pub(super) const POV_OFFSET: i32 = 10_000;
 
 fn cell_index(c: f64) -> i32 {
     // Saturating: coordinates beyond 2^31 have no defined noise in POV-Ray.
@@ -143,11 +146,19 @@ impl Cell {
 /// Noise at a point, in 0..=1.
 pub fn noise(generator: NoiseGenerator, p: DVec3) -> f64 {
     match generator {
-        NoiseGenerator::Original => (Cell::around(p).value::<0>() + 0.5).clamp(0.0, 1.0),
-        // The two constants make the range of the raw noise fit 0..1.
-        NoiseGenerator::Corrected => ((Cell::around(p).value::<0>() + 1.05242) * 0.48985582).clamp(0.0, 1.0),
+        NoiseGenerator::Original => original(Cell::around(p).value::<0>()),
+        NoiseGenerator::Corrected => corrected(Cell::around(p).value::<0>()),
         NoiseGenerator::Perlin => perlin(p),
     }
+}
+
+fn original(lattice: f64) -> f64 {
+    (lattice + 0.5).clamp(0.0, 1.0)
+}
+
+fn corrected(lattice: f64) -> f64 {
+    // The two constants make the range of the raw noise fit 0..1.
+    ((lattice + 1.05242) * 0.48985582).clamp(0.0, 1.0)
 }
 
 /// Three unclamped noises at a point, about -1 to 1: displacements.
@@ -233,34 +244,68 @@ pub struct Octaves {
     pub omega: f32,
 }
 
+impl Octaves {
+    fn count(self) -> usize {
+        self.count.clamp(1, MAX_OCTAVES as u32) as usize
+    }
+
+    /// Weights from the second octave on, by repeated multiplication.
+    fn weights(self) -> impl Iterator<Item = f64> {
+        let omega = f64::from(self.omega);
+        std::iter::successors(Some(omega), move |w| Some(w * omega))
+    }
+}
+
 /// Sum of vector noises of rising frequency.
 pub fn vector_turbulence(octaves: Octaves, p: DVec3) -> DVec3 {
-    let mut sum = vector_noise(p);
-    for (frequency, weight) in factors(octaves) {
-        sum += weight * vector_noise(p * frequency);
-    }
-    sum
+    let noises = vector_noises(p, f64::from(octaves.lambda), octaves.count());
+    noises[1..].iter().zip(octaves.weights()).fold(noises[0], |sum, (noise, weight)| sum + weight * *noise)
 }
 
 /// Sum of noises of rising frequency.
 pub fn turbulence(generator: NoiseGenerator, octaves: Octaves, p: DVec3) -> f64 {
-    let octave = |p: DVec3| match generator {
-        NoiseGenerator::Original => noise(generator, p),
-        _ => 2.0 * noise(generator, p) - 0.5,
+    let noises = noises(generator, p, 1.0, f64::from(octaves.lambda), octaves.count());
+    let octave = |noise: f64| match generator {
+        NoiseGenerator::Original => noise,
+        _ => 2.0 * noise - 0.5,
     };
-    let first = octave(p);
-    let mut sum = if generator == NoiseGenerator::Original { first } else { first.clamp(0.0, 1.0) };
-    for (frequency, weight) in factors(octaves) {
-        sum += weight * octave(p * frequency);
-    }
-    sum
+    let first = octave(noises[0]).clamp(0.0, 1.0);
+    noises[1..].iter().zip(octaves.weights()).fold(first, |sum, (noise, weight)| sum + weight * octave(*noise))
 }
 
-/// Frequency and weight from the second octave on, by repeated multiplication.
-fn factors(octaves: Octaves) -> impl Iterator<Item = (f64, f64)> {
-    let (lambda, omega) = (f64::from(octaves.lambda), f64::from(octaves.omega));
-    std::iter::successors(Some((lambda, omega)), move |(l, o)| Some((l * lambda, o * omega)))
-        .take(octaves.count.clamp(1, 10) as usize - 1)
+/// The most noises that are summed up at a point.
+pub const MAX_OCTAVES: usize = 10;
+
+/// Noises at `p` times `first`, `first * factor` and so on, at most [`MAX_OCTAVES`].
+pub fn noises(generator: NoiseGenerator, p: DVec3, first: f64, factor: f64, count: usize) -> ArrayVec<f64, ROOM> {
+    let count = count.min(MAX_OCTAVES);
+    if count == 1 {
+        return [noise(generator, p * first)].into_iter().collect();
+    }
+    let scaled = match generator {
+        NoiseGenerator::Original => original,
+        NoiseGenerator::Corrected => corrected,
+        NoiseGenerator::Perlin => {
+            return std::iter::successors(Some(first), |f| Some(f * factor))
+                .take(count)
+                .map(|f| perlin(p * f))
+                .collect();
+        }
+    };
+    let mut noises = ArrayVec::from(Series { point: p, first, factor }.noises(count).map(scaled));
+    noises.truncate(count);
+    noises
+}
+
+/// Vector noises at `p`, at `p * factor` and so on, at most [`MAX_OCTAVES`].
+pub fn vector_noises(p: DVec3, factor: f64, count: usize) -> ArrayVec<DVec3, MAX_OCTAVES> {
+    if count == 1 {
+        return [vector_noise(p)].into_iter().collect();
+    }
+    let mut noises = ArrayVec::from([DVec3::ZERO; MAX_OCTAVES]);
+    noises.truncate(count);
+    Series { point: p, first: 1.0, factor }.vector_noises(&mut noises);
+    noises
 }
 
 #[cfg(test)]

@@ -2,7 +2,9 @@
 //!
 //! Source: sections 3, 4 and 14 of the pattern facts (measured).
 
-use crate::math::noise::{Congruential, NoiseGenerator, Octaves, noise, turbulence, vector_noise, vector_turbulence};
+use crate::math::noise::{
+    Congruential, NoiseGenerator, Octaves, noises, turbulence, vector_noise, vector_noises, vector_turbulence,
+};
 use crate::math::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -17,23 +19,23 @@ pub(super) fn granite(generator: NoiseGenerator, p: DVec3) -> f64 {
         NoiseGenerator::Original => (0.5 - n).abs(),
         _ => (1.0 - 2.0 * n).abs().min(0.5),
     };
-    let octave = |i: i32| fold(noise(generator, p * (4.0 * 2.0_f64.powi(i)))) / 2.0_f64.powi(i);
-    (0..6).map(octave).sum()
+    let noises = noises(generator, p, 4.0, 2.0, 6);
+    noises.into_iter().zip(0..).map(|(noise, i)| fold(noise) / 2.0_f64.powi(i)).sum()
 }
 
 /// Wrinkles: ten octaves of noise.
 pub(super) fn wrinkles(generator: NoiseGenerator, p: DVec3) -> f64 {
-    let octave = |i: i32| {
-        let n = noise(generator, p * 2.0_f64.powi(i));
-        let n = if generator == NoiseGenerator::Original { n } else { (2.0 * n - 0.5).clamp(0.0, 1.0) };
-        n / 2.0_f64.powi(i)
+    let fold = |n: f64| match generator {
+        NoiseGenerator::Original => n,
+        _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
     };
-    0.5 * (0..10).map(octave).sum::<f64>()
+    let noises = noises(generator, p, 1.0, 2.0, 10);
+    0.5 * noises.into_iter().zip(0..).map(|(noise, i)| fold(noise) / 2.0_f64.powi(i)).sum::<f64>()
 }
 
 /// Displacement of a normal by wrinkles.
 pub(super) fn wrinkles_bump(p: DVec3) -> DVec3 {
-    (0..10).map(|i| vector_noise(p * 2.0_f64.powi(i)).abs() / 2.0_f64.powi(i)).sum()
+    vector_noises(p, 2.0, 10).into_iter().zip(0..).map(|(noise, i)| noise.abs() / 2.0_f64.powi(i)).sum()
 }
 
 /// Agate: bands along z, shifted by turbulence of strength `amount`.
