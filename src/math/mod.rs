@@ -11,6 +11,7 @@
 mod bounds;
 mod color;
 mod error_bound;
+mod floor;
 mod mersenne_twister;
 pub mod noise;
 mod noise_series;
@@ -23,6 +24,7 @@ mod uv;
 pub use bounds::Bounds;
 pub use color::{Color, Rgb, gray};
 pub use error_bound::{dot_error, gamma, transformed_point_error};
+pub use floor::{floor, modulo};
 pub use glam::{DMat3, DVec2, DVec3, DVec4};
 pub use mersenne_twister::MersenneTwister;
 pub use ray::{Range, Ray};

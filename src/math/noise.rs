@@ -9,9 +9,9 @@
 //!
 //! Source: sections 5.2 to 5.5 of the function facts, measured on POV-Ray 3.7.0.10.
 
-use super::DVec3;
 use super::noise_series::{ROOM, Series};
 use super::noise_table::NOISE_TABLE;
+use super::{DVec3, floor};
 use arrayvec::ArrayVec;
 use std::sync::LazyLock;
 use wide::f64x2;
@@ -199,13 +199,6 @@ static GRADIENTS: LazyLock<Gradients> = LazyLock::new(|| {
     let permutation = Box::new(std::array::from_fn(|i| permutation[i]));
     Gradients { gradients, permutation }
 });
-
-/// The largest whole number not above a number below 2^63; a call of the C library on many machines
-/// is what this saves.
-fn floor(v: f64) -> f64 {
-    let whole = v as i64 as f64;
-    if whole > v { whole - 1.0 } else { whole }
-}
 
 fn perlin(p: DVec3) -> f64 {
     let tables = &*GRADIENTS;

@@ -51,8 +51,8 @@ impl From<&Bounds> for Box32 {
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Node {
-    /// Lower x, y, z, then upper x, y, z, of four children each.
-    planes: [Vec4; 6],
+    /// Lower and upper planes across x, y and z, of four children each.
+    planes: [[Vec4; 2]; 3],
     /// Index of a node, or a run of items when [`LEAF`] is set.
     children: [u32; 4],
 }
@@ -129,9 +129,8 @@ impl Hull {
 /// Below this, two threads cost more than they gain.
 const PARALLEL_ITEMS: usize = 1 << 15;
 const BINS: usize = 16;
-/// Fewer items get fewer bins: most splits are of few, and there bins cost more than items.
-const FEW_ITEMS: usize = 32;
-const FEW_BINS: usize = 8;
+/// As many items are sorted: most splits are of few, and there bins cost more than items.
+const FEW_ITEMS: usize = 16;
 
 impl Bvh {
     /// Builds over boxes; returns the order in which items must be stored.
@@ -139,12 +138,12 @@ impl Bvh {
     /// At most 2^27 items; `leaf_size` at most 15.
     pub(crate) fn build(boxes: impl IndexedParallelIterator<Item = Box32>, leaf_size: usize) -> (Self, Vec<u32>) {
         let mut items: Vec<Item> = boxes.enumerate().map(|(i, bounds)| Item::new(&bounds, i as u32)).collect();
-        let mut nodes = Vec::new();
+        // Room for as many as there usually are: to grow, or to shrink, moves them all.
+        let mut nodes = Vec::with_capacity(items.len() / (leaf_size + 1));
         if !items.is_empty() {
             let hull = Hull::around(&items);
             build_subtree(&mut items, Place { hull, first: 0, leaf_size, depth: 0 }, &mut nodes);
         }
-        nodes.shrink_to_fit();
         (Self { nodes }, items.iter().map(Item::index).collect())
     }
 
@@ -245,7 +244,8 @@ impl Bvh {
             let node = &self.nodes[current as usize];
             let mut holds = BVec4A::TRUE;
             for axis in 0..3 {
-                holds &= node.planes[axis].cmple(upper[axis]) & node.planes[axis + 3].cmpge(lower[axis]);
+                let [min, max] = &node.planes[axis];
+                holds &= min.cmple(upper[axis]) & max.cmpge(lower[axis]);
             }
             let holds = holds.bitmask();
             waiting.extend((0..4).filter(|i| holds & (1 << i) != 0).map(|i| node.children[i]));
@@ -256,9 +256,8 @@ impl Bvh {
 
 /// A ray made ready for slab tests.
 struct Probe {
-    /// Index of the plane through which the ray enters, and leaves, on each axis.
-    enter: [usize; 3],
-    leave: [usize; 3],
+    /// Whether the ray enters through the upper plane, on each axis.
+    backward: [bool; 3],
     /// Origin rounded so that the entry comes early and the exit late.
     enter_origin: [Vec4; 3],
     leave_origin: [Vec4; 3],
@@ -287,8 +286,7 @@ impl Probe {
         let lanes = |f: &dyn Fn(usize) -> f32| std::array::from_fn(|i| Vec4::splat(f(i)));
         let inverse: [Vec4; 3] = lanes(&|i| if backward[i] { -size[i] } else { size[i] });
         Self {
-            enter: std::array::from_fn(|i| if backward[i] { i + 3 } else { i }),
-            leave: std::array::from_fn(|i| if backward[i] { i } else { i + 3 }),
+            backward,
             enter_origin: lanes(&|i| if backward[i] { lower[i] } else { upper[i] }),
             leave_origin: lanes(&|i| if backward[i] { upper[i] } else { lower[i] }),
             inverse,
@@ -303,8 +301,10 @@ impl Probe {
         let mut near = self.t_min;
         let mut far = Vec4::splat(t_max.min(FARTHEST));
         for axis in 0..3 {
-            let enter = (node.planes[self.enter[axis]] - self.enter_origin[axis]) * self.inverse[axis];
-            let leave = (node.planes[self.leave[axis]] - self.leave_origin[axis]) * self.leave_inverse[axis];
+            let backward = self.backward[axis];
+            let planes = &node.planes[axis];
+            let enter = (planes[usize::from(backward)] - self.enter_origin[axis]) * self.inverse[axis];
+            let leave = (planes[usize::from(!backward)] - self.leave_origin[axis]) * self.leave_inverse[axis];
             near = near.max(enter);
             far = far.min(leave);
         }
@@ -376,13 +376,12 @@ fn build_subtree(items: &mut [Item], place: Place, nodes: &mut Vec<Node>) {
 
 /// A node whose children are all leaves, for the start.
 fn node_over(runs: &[(Span<usize>, Hull)], first: usize) -> Node {
-    let mut planes = [Vec4::INFINITY; 6];
+    let mut planes = [[Vec4::INFINITY, Vec4::NEG_INFINITY]; 3];
     let mut children = [LEAF; 4];
-    for axis in 0..3 {
-        planes[axis + 3] = Vec4::NEG_INFINITY;
+    for (axis, [min, max]) in planes.iter_mut().enumerate() {
         for (slot, (_, hull)) in runs.iter().enumerate() {
-            planes[axis][slot] = hull.min[axis];
-            planes[axis + 3][slot] = hull.max[axis];
+            min[slot] = hull.min[axis];
+            max[slot] = hull.max[axis];
         }
     }
     for (slot, (run, _)) in runs.iter().enumerate() {
@@ -403,6 +402,15 @@ impl Node {
     }
 }
 
+/// The bin of an item at a place from 0 to [`BINS`], the end included; 0 for NaN.
+#[inline]
+fn bin_at(place: f32) -> usize {
+    // Adding this leaves the whole part in the lowest bits, without a conversion's checks of its range.
+    const TO_BITS: f32 = (1 << 23) as f32;
+    let rounded = (place - 0.5).max(0.0).min((BINS - 1) as f32) + TO_BITS;
+    rounded.to_bits() as usize % BINS
+}
+
 /// Puts items in order around the best split of the surface area heuristic; how many go left, and
 /// the boxes of both sides.
 fn split(items: &mut [Item], depth: u32) -> (usize, Hull, Hull) {
@@ -412,24 +420,25 @@ fn split(items: &mut [Item], depth: u32) -> (usize, Hull, Hull) {
     if extent.max_element() <= 0.0 || !extent.is_finite() || depth > 32 {
         return halve(items, extent.max_position());
     }
-    let n_bins = if items.len() < FEW_ITEMS { FEW_BINS } else { BINS };
+    if items.len() <= FEW_ITEMS {
+        return sweep(items, extent.max_position());
+    }
     let low = middles.min;
-    let scale = (Vec3::splat(n_bins as f32) / extent).extend(0.0);
-    let last = Vec4::splat((n_bins - 1) as f32);
-    let bin_of = |item: &Item| ((item.middle() - low) * scale).min(last).to_array().map(|b| b as u8 as usize);
+    let scale = (Vec3::splat(BINS as f32) / extent).extend(0.0);
+    let place = |item: &Item| (item.middle() - low) * scale;
     let mut counts = [[0_usize; BINS]; 3];
     let mut hulls = [[Hull::EMPTY; BINS]; 3];
     for item in items.iter() {
-        let bins = bin_of(item);
+        let places = place(item).to_array();
         for axis in 0..3 {
-            let bin = bins[axis] % BINS;
+            let bin = bin_at(places[axis]);
             counts[axis][bin] += 1;
             hulls[axis][bin] = hulls[axis][bin].with(item.min, item.max);
         }
     }
     let mut best = (f64::INFINITY, 0, 0);
     for axis in (0..3).filter(|axis| extent[*axis] > 0.0) {
-        let (cost, bin) = cheapest(&counts[axis][..n_bins], &hulls[axis][..n_bins], items.len());
+        let (cost, bin) = cheapest(&counts[axis], &hulls[axis], items.len());
         if cost < best.0 {
             best = (cost, axis, bin);
         }
@@ -440,7 +449,7 @@ fn split(items: &mut [Item], depth: u32) -> (usize, Hull, Hull) {
     }
     let mut boundary = 0;
     for i in 0..items.len() {
-        if bin_of(&items[i])[axis] < bin {
+        if bin_at(place(&items[i])[axis]) < bin {
             items.swap(i, boundary);
             boundary += 1;
         }
@@ -450,7 +459,7 @@ fn split(items: &mut [Item], depth: u32) -> (usize, Hull, Hull) {
 }
 
 /// Cost of the best boundary between bins, and the first bin on its right.
-fn cheapest(counts: &[usize], hulls: &[Hull], n_items: usize) -> (f64, usize) {
+fn cheapest(counts: &[usize; BINS], hulls: &[Hull; BINS], n_items: usize) -> (f64, usize) {
     let mut right = [0.0; BINS];
     let mut sum = (0, Hull::EMPTY);
     for k in (1..counts.len()).rev() {
@@ -472,6 +481,28 @@ fn cheapest(counts: &[usize], hulls: &[Hull], n_items: usize) -> (f64, usize) {
         }
     }
     best
+}
+
+/// The best split between few items in their order along an axis.
+fn sweep(items: &mut [Item], axis: usize) -> (usize, Hull, Hull) {
+    items.sort_unstable_by(|a, b| a.middle()[axis].total_cmp(&b.middle()[axis]));
+    let mut right = [Hull::EMPTY; FEW_ITEMS];
+    let mut sum = Hull::EMPTY;
+    for (k, item) in items.iter().enumerate().rev() {
+        sum = sum.with(item.min, item.max);
+        right[k % FEW_ITEMS] = sum;
+    }
+    let mut best = (f64::INFINITY, 1, Hull::around(&items[..1]));
+    let mut left = Hull::EMPTY;
+    for k in 1..items.len() {
+        left = left.with(items[k - 1].min, items[k - 1].max);
+        let cost = k as f64 * left.half_area() + (items.len() - k) as f64 * right[k % FEW_ITEMS].half_area();
+        if cost < best.0 {
+            best = (cost, k, left);
+        }
+    }
+    let (_, count, left) = best;
+    (count, left, right[count % FEW_ITEMS])
 }
 
 /// Half to each side of the median along an axis.

@@ -2,17 +2,17 @@
 //!
 //! Source: section 6 of the pattern facts (measured).
 
-use crate::math::noise::{NoiseGenerator, lattice_hash, noise};
-use crate::math::{DVec3, MersenneTwister};
+use crate::math::noise::{NoiseGenerator, lattice_hash, noise, permuted};
+use crate::math::{DVec3, MersenneTwister, floor};
 use std::sync::LazyLock;
 
 /// POV-Ray's offset at the borders of cells.
 const CELL_OFFSET: f64 = 1e-10;
 
 /// Random numbers by hash; a cube's point takes three from its hash on.
-static RANDOM: LazyLock<Vec<f64>> = LazyLock::new(|| {
+static RANDOM: LazyLock<Box<[f64; 4096 + 3]>> = LazyLock::new(|| {
     let mut random = MersenneTwister::default();
-    (0..4096 + 3).map(|_| random.next_f64()).collect()
+    Box::new(std::array::from_fn(|_| random.next_f64()))
 });
 
 /// Entry `i` of the random table, for offsets of black holes.
@@ -22,8 +22,8 @@ pub(super) fn random_number(i: usize) -> f64 {
 
 /// One random number for each unit cube.
 pub(super) fn cells(p: DVec3) -> f64 {
-    let c = (p + CELL_OFFSET).floor();
-    RANDOM[lattice_hash(c.x as i64, c.y as i64, c.z as i64)]
+    let [x, y, z] = (p + CELL_OFFSET).to_array().map(|c| floor(c) as i64);
+    RANDOM[lattice_hash(x, y, z)]
 }
 
 /// The crackle pattern: a combination of the distances to the three nearest points.
@@ -42,9 +42,9 @@ pub struct Crackle {
 impl Crackle {
     /// The value, 0 to 1.
     pub(super) fn value(&self, p: DVec3) -> f64 {
-        let near = nearest(p, Metric::Power(self.metric));
+        let metric = Metric::Power(self.metric);
         if let Some(generator) = self.solid {
-            return noise(generator, near.point).clamp(0.0, 1.0);
+            return noise(generator, nearest(p, metric)).clamp(0.0, 1.0);
         }
         let shift = if self.offset == 0.0 { 0.0 } else { self.offset.powf(self.metric) };
         let distance = |power: f64| match self.metric {
@@ -53,7 +53,8 @@ impl Crackle {
             m => (power + shift).powf(1.0 / m),
         };
         let term = |weight: f64, power: f64| if weight == 0.0 { 0.0 } else { weight * distance(power) };
-        let [first, second, third] = near.powers;
+        let wanted = self.form.to_array().iter().rposition(|weight| *weight != 0.0).map_or(1, |last| last + 1);
+        let [first, second, third] = search(p, metric, wanted).powers;
         (term(self.form.x, first) + term(self.form.y, second) + term(self.form.z, third)).clamp(0.0, 1.0)
     }
 }
@@ -67,60 +68,80 @@ pub(super) enum Metric {
     SignedSum,
 }
 
-impl Metric {
-    fn power(self, d: DVec3) -> f64 {
-        match self {
-            Self::Power(2.0) => d.length_squared(),
-            Self::Power(1.0) => d.x.abs() + d.y.abs() + d.z.abs(),
-            Self::Power(m) => d.x.abs().powf(m) + d.y.abs().powf(m) + d.z.abs().powf(m),
-            Self::SignedSum => d.x + d.y + d.z,
-        }
-    }
-}
-
-/// The nearest point, and the powers of the three smallest distances.
+/// The nearest point, and the powers of the smallest distances.
 pub(super) struct Nearest {
     pub(super) point: DVec3,
+    /// Of three points; only as many as were asked for are sure to be the smallest.
     powers: [f64; 3],
 }
 
-/// Offsets of the cubes that are looked at, near ones first.
-static NEIGHBOURS: LazyLock<Vec<[i8; 3]>> = LazyLock::new(|| {
-    let side = -2_i8..=2;
-    let mut all: Vec<[i8; 3]> = side
-        .clone()
-        .flat_map(|x| side.clone().flat_map(move |y| (-2_i8..=2).map(move |z| [x, y, z])))
-        .filter(|o| o.iter().filter(|c| c.abs() == 2).count() <= 1)
-        .collect();
-    all.sort_by_key(|o| o.iter().map(|c| i32::from(*c).pow(2)).sum::<i32>());
+/// Offsets plus 2 of the cubes that are looked at, near ones first: all [`TOUCHING`] the point's come before those
+/// that are a cube further along one axis.
+static NEIGHBOURS: LazyLock<Vec<[u8; 3]>> = LazyLock::new(|| {
+    let mut all: Vec<[u8; 3]> = (0..125).map(|i| [i / 25, i / 5 % 5, i % 5]).collect();
+    all.retain(|cube| cube.iter().filter(|c| c.abs_diff(2) == 2).count() <= 1);
+    all.sort_by_key(|cube| cube.iter().map(|c| u32::from(c.abs_diff(2)).pow(2)).sum::<u32>());
     all
 });
 
-/// Searches the cube of `p` and its neighbours; cubes that are too far away are not opened.
-pub(super) fn nearest(p: DVec3, metric: Metric) -> Nearest {
-    let corner = (p - CELL_OFFSET).floor();
-    let inside = p - corner;
-    let (x, y, z) = (corner.x as i64, corner.y as i64, corner.z as i64);
-    let mut near = Nearest { point: corner, powers: [f64::INFINITY; 3] };
-    let apart = |offset: f64, inside: f64| (offset - inside).max(inside - offset - 1.0).max(0.0);
-    for offset in NEIGHBOURS.iter() {
-        let [i, j, k] = offset.map(f64::from);
-        if let Metric::Power(_) = metric {
-            let least = DVec3::new(apart(i, inside.x), apart(j, inside.y), apart(k, inside.z));
-            if metric.power(least) > near.powers[2] {
+/// How many cubes touch that of the point, itself included.
+const TOUCHING: usize = 27;
+
+/// The point nearest to `p`.
+pub(super) fn nearest(p: DVec3, metric: Metric) -> DVec3 {
+    search(p, metric, 1).point
+}
+
+/// Finds the `wanted` nearest points, 1 to 3.
+fn search(p: DVec3, metric: Metric, wanted: usize) -> Nearest {
+    match metric {
+        Metric::Power(2.0) => search_by(p, |d| d * d, true, wanted),
+        Metric::Power(1.0) => search_by(p, f64::abs, true, wanted),
+        Metric::Power(m) => search_by(p, |d| d.abs().powf(m), true, wanted),
+        Metric::SignedSum => search_by(p, |d| d, false, wanted),
+    }
+}
+
+/// Searches the cube of `p` and its neighbours. A coordinate's difference adds its `share` to the power of a
+/// distance; where shares `grow` with the difference, cubes that are too far away are not opened.
+#[inline]
+fn search_by(p: DVec3, share: impl Fn(f64) -> f64, grow: bool, wanted: usize) -> Nearest {
+    const OFFSETS: [f64; 5] = [-2.0, -1.0, 0.0, 1.0, 2.0];
+    let corner = (p - CELL_OFFSET).to_array().map(floor);
+    // By axis: corners of the five slabs of cubes, their lattice coordinates, and what they are away, at least.
+    let corners = corner.map(|c| OFFSETS.map(|offset| c + offset));
+    let lattice = corner.map(|c| [-2, -1, 0, 1, 2].map(|offset| (c as i64 + offset) as usize));
+    let hashes = lattice[0].map(permuted);
+    let slab = |offset: f64, inside: f64| (offset - inside).max(inside - offset - 1.0).max(0.0);
+    let least = (p - DVec3::from(corner))
+        .to_array()
+        .map(|inside| OFFSETS.map(|offset| if grow { share(slab(offset, inside)) } else { f64::NEG_INFINITY }));
+    let random = &*RANDOM;
+    let mut near = Nearest { point: DVec3::from(corner), powers: [f64::INFINITY; 3] };
+    let (touching, beyond) = NEIGHBOURS.split_at(TOUCHING);
+    let beyond_is_away = least.iter().map(|axis| axis[0].min(axis[4])).fold(f64::INFINITY, f64::min);
+    for (offsets, away) in [(touching, f64::NEG_INFINITY), (beyond, beyond_is_away)] {
+        if away > near.powers[wanted - 1] {
+            break;
+        }
+        for offset in offsets {
+            let [i, j, k] = offset.map(|o| usize::from(o) % 5);
+            if least[0][i] + least[1][j] + least[2][k] > near.powers[wanted - 1] {
                 continue;
             }
-        }
-        let s = lattice_hash(x + i64::from(offset[0]), y + i64::from(offset[1]), z + i64::from(offset[2]));
-        let point = corner + DVec3::new(i, j, k) + DVec3::new(RANDOM[s], RANDOM[s + 1], RANDOM[s + 2]);
-        let power = metric.power(point - p);
-        let [first, second, third] = near.powers;
-        if power < first {
-            near = Nearest { point, powers: [power, first, second] };
-        } else if power < second {
-            near.powers = [first, power, second];
-        } else if power < third {
-            near.powers[2] = power;
+            let hash = permuted(permuted(hashes[i] ^ lattice[1][j]) ^ lattice[2][k]) % 4096;
+            let cube = DVec3::new(corners[0][i], corners[1][j], corners[2][k]);
+            let point = cube + DVec3::new(random[hash], random[hash + 1], random[hash + 2]);
+            let d = point - p;
+            let power = share(d.x) + share(d.y) + share(d.z);
+            let [first, second, third] = near.powers;
+            if power < first {
+                near = Nearest { point, powers: [power, first, second] };
+            } else if power < second {
+                near.powers = [first, power, second];
+            } else if power < third {
+                near.powers[2] = power;
+            }
         }
     }
     near

@@ -2,7 +2,7 @@
 
 use super::{Context, Pattern, PatternKind, crackle, noise_formula};
 use crate::math::noise::{noise, vector_noise};
-use crate::math::{DVec3, gray};
+use crate::math::{DVec3, floor, gray, modulo};
 use std::f64::consts::{PI, TAU};
 
 /// POV-Ray's offset that keeps exact borders on the upper cell.
@@ -36,7 +36,7 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
         PatternKind::Marble(inner) => noise_formula::marble(inner.as_deref(), p),
         PatternKind::Material(image, mapping, n) => image.material_index(mapping, p, *n) as f64,
         PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p))),
-        PatternKind::Onion => p.length().fract(),
+        PatternKind::Onion => fraction(p.length()),
         PatternKind::Pavement(pavement) => pavement.value(p),
         PatternKind::Pigment(pigment) => f64::from(gray(pigment.color_or_clear(p, context).rgb)),
         PatternKind::Planar => falling(p.y.abs()),
@@ -47,7 +47,7 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
         PatternKind::Spherical => falling(p.length()),
         PatternKind::Spiral1(arms, inner) => noise_formula::spiral(*arms, inner.as_deref(), p),
         PatternKind::Spiral2(arms, inner) => {
-            let folded = |v: f64| 1.0 - (2.0 * (v - v.floor()) - 1.0).abs();
+            let folded = |v: f64| 1.0 - (2.0 * fraction(v) - 1.0).abs();
             folded((p.x * p.x + p.y * p.y).sqrt()) + folded(noise_formula::spiral(*arms, inner.as_deref(), p))
         }
         PatternKind::Square => square(p),
@@ -74,6 +74,11 @@ impl Pattern {
     }
 }
 
+/// What a number is above the next whole one.
+fn fraction(v: f64) -> f64 {
+    v - floor(v)
+}
+
 /// 1 in the middle, 0 from distance 1 on.
 fn falling(distance: f64) -> f64 {
     if distance <= 1.0 { 1.0 - distance } else { 0.0 }
@@ -81,16 +86,16 @@ fn falling(distance: f64) -> f64 {
 
 /// Values above 1 start again; the sign stays.
 fn wrapped(v: f64) -> f64 {
-    if v > 1.0 { v.fract() } else { v }
+    if v > 1.0 { fraction(v) } else { v }
 }
 
 fn checker(p: DVec3) -> f64 {
-    let sum = (p + CELL_OFFSET).floor();
-    (sum.x + sum.y + sum.z).rem_euclid(2.0)
+    let q = p + CELL_OFFSET;
+    modulo(floor(q.x) + floor(q.y) + floor(q.z), 2.0)
 }
 
 fn square(p: DVec3) -> f64 {
-    let odd = |v: f64| v.floor().rem_euclid(2.0) == 1.0;
+    let odd = |v: f64| modulo(floor(v), 2.0) == 1.0;
     match (odd(p.x), odd(p.z)) {
         (false, false) => 0.0,
         (false, true) => 1.0,
@@ -112,7 +117,7 @@ fn radial(p: DVec3) -> f64 {
 
 /// Regular hexagons of side 1 with flat sides towards z, centres (1.5 a, h b) for even a + b.
 fn hexagon(x: f64, z: f64) -> f64 {
-    let first = (x / 1.5).floor();
+    let first = floor(x / 1.5);
     let center = |a: f64| {
         // The nearest b of the same parity as a.
         let b = 2.0 * ((z / TRIANGLE_HEIGHT - a) * 0.5).round() + a;
@@ -120,7 +125,7 @@ fn hexagon(x: f64, z: f64) -> f64 {
     };
     let (near, far) = (center(first), center(first + 1.0));
     let index = if near.0 <= far.0 { near.1 } else { far.1 };
-    index.rem_euclid(3.0)
+    modulo(index, 3.0)
 }
 
 /// Triangles of side 1, six colours; period 3 in x, twice the height in z.
@@ -129,9 +134,9 @@ fn triangular(x: f64, z: f64) -> f64 {
     let upper = z >= TRIANGLE_HEIGHT;
     let z = if upper { 2.0 * TRIANGLE_HEIGHT - z } else { z };
     let slant = z * 0.5 / TRIANGLE_HEIGHT;
-    let a = (x - slant).floor();
+    let a = floor(x - slant);
     let index = if x + slant <= a + 1.0 { -2.0 * a } else { 1.0 + 2.0 * (a + 1.0) };
-    let index = index.rem_euclid(6.0);
+    let index = modulo(index, 6.0);
     if upper { 5.0 - index } else { index }
 }
 
@@ -139,7 +144,6 @@ fn triangular(x: f64, z: f64) -> f64 {
 fn brick(p: DVec3, size: DVec3, mortar: f64) -> f64 {
     let q = (p + mortar + CELL_OFFSET) / size;
     let limit = DVec3::splat(mortar) / size;
-    let fraction = |v: f64| v - v.floor();
     let in_mortar = |x: f64, z: f64| fraction(x) <= limit.x || fraction(z) <= limit.z;
     let even_course = fraction(q.y * 0.5) <= 0.5;
     let mortar_here =

@@ -7,6 +7,8 @@ use crate::math::noise::{
 };
 use crate::math::{DVec2, DVec3};
 use std::f64::consts::TAU;
+use std::iter::Sum;
+use std::ops::Mul;
 
 /// One period of the sine is 1.
 fn sine(turns: f64) -> f64 {
@@ -19,8 +21,7 @@ pub(super) fn granite(generator: NoiseGenerator, p: DVec3) -> f64 {
         NoiseGenerator::Original => (0.5 - n).abs(),
         _ => (1.0 - 2.0 * n).abs().min(0.5),
     };
-    let noises = noises(generator, p, 4.0, 2.0, 6);
-    noises.into_iter().zip(0..).map(|(noise, i)| fold(noise) / 2.0_f64.powi(i)).sum()
+    halving(noises(generator, p, 4.0, 2.0, 6).into_iter().map(fold))
 }
 
 /// Wrinkles: ten octaves of noise.
@@ -29,13 +30,23 @@ pub(super) fn wrinkles(generator: NoiseGenerator, p: DVec3) -> f64 {
         NoiseGenerator::Original => n,
         _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
     };
-    let noises = noises(generator, p, 1.0, 2.0, 10);
-    0.5 * noises.into_iter().zip(0..).map(|(noise, i)| fold(noise) / 2.0_f64.powi(i)).sum::<f64>()
+    0.5 * halving(noises(generator, p, 1.0, 2.0, 10).into_iter().map(fold))
 }
 
 /// Displacement of a normal by wrinkles.
 pub(super) fn wrinkles_bump(p: DVec3) -> DVec3 {
-    vector_noises(p, 2.0, 10).into_iter().zip(0..).map(|(noise, i)| noise.abs() / 2.0_f64.powi(i)).sum()
+    halving(vector_noises(p, 2.0, 10).into_iter().map(DVec3::abs))
+}
+
+/// The sum of terms, each with half the weight of the one before.
+fn halving<T: Sum + Mul<f64, Output = T>>(terms: impl Iterator<Item = T>) -> T {
+    let mut weight = 2.0;
+    terms
+        .map(|term| {
+            weight *= 0.5;
+            term * weight
+        })
+        .sum()
 }
 
 /// Agate: bands along z, shifted by turbulence of strength `amount`.
@@ -106,7 +117,7 @@ impl WaveSources {
     /// Mean of `term` over all sources; it gets the unit direction from a source, the distance and the frequency.
     fn mean<T>(&self, p: DVec3, term: impl Fn(DVec3, f64, f64) -> T) -> T
     where
-        T: std::iter::Sum + std::ops::Mul<f64, Output = T>,
+        T: Sum + Mul<f64, Output = T>,
     {
         let sum: T = self
             .sources

@@ -56,9 +56,9 @@ impl Facets {
     fn bend(&self, n: DVec3, p: DVec3) -> DVec3 {
         let metric = if self.metric == 1.0 { Metric::SignedSum } else { Metric::Power(self.metric) };
         if self.coords == 0.0 {
-            return nearest(n / self.size, metric).point;
+            return nearest(n / self.size, metric);
         }
-        let push = vector_noise(nearest(p / self.size, metric).point);
+        let push = vector_noise(nearest(p / self.size, metric));
         n + self.coords * (push - push.dot(n) * n)
     }
 }

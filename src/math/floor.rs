@@ -1,0 +1,44 @@
+//! Rounding down without a call of the C library, which it is where the build may not count on SSE4.1.
+
+/// Adding this and taking it away again rounds to a whole number, up to 2^51.
+const TO_WHOLE: f64 = ((1_u64 << 52) + (1 << 51)) as f64;
+
+/// The largest whole number not above `v`; infinities and NaN stay.
+#[inline]
+pub fn floor(v: f64) -> f64 {
+    if v.abs() < (1_u64 << 51) as f64 {
+        let nearest = (v + TO_WHOLE) - TO_WHOLE;
+        if nearest > v { nearest - 1.0 } else { nearest }
+    } else {
+        v.floor()
+    }
+}
+
+/// The remainder of a whole number (below 2^50, or it is not exact) by `n`, from 0 up to `n`.
+#[inline]
+pub fn modulo(whole: f64, n: f64) -> f64 {
+    whole - n * floor(whole / n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounds_down_as_the_library_does() {
+        let up = |v: f64| [v.next_down(), v, v.next_up()];
+        let sizes = (-60..64).map(|e| 2.0_f64.powi(e));
+        let numbers = sizes.flat_map(|s| [s, 1.5 * s, 0.3 * s, 7.0 * s]).chain([0.0, 0.5, f64::INFINITY]).flat_map(up);
+        for v in numbers.flat_map(|v| [v, -v]) {
+            assert_eq!(floor(v), v.floor(), "{v:e}");
+        }
+        assert!(floor(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn remainders_are_those_of_whole_numbers() {
+        for whole in (-20..20).chain([1 << 49, -(1 << 49) - 1]).map(|i: i64| i as f64) {
+            assert!([2.0, 3.0, 6.0].iter().all(|n| modulo(whole, *n) == whole.rem_euclid(*n)), "{whole}");
+        }
+    }
+}
