@@ -27,6 +27,9 @@ pub enum Pick<'a, T> {
     All(&'a [(f32, T)]),
 }
 
+/// As many entries are looked through one by one.
+const FEW: usize = 8;
+
 impl<T> Blend<T> {
     /// Entries in source order; there must be at least one.
     pub fn map(entries: impl IntoIterator<Item = (f64, T)>) -> Self {
@@ -62,6 +65,7 @@ impl<T> Blend<T> {
     /// The last entry at and above its value; else the first entry not below the value, alone
     /// if it is the first or lies exactly there, blended with its predecessor otherwise. NaN
     /// takes the first. Source: pattern facts, section 11 (measured).
+    #[inline]
     pub fn pick(&self, value: f64) -> Pick<'_, T> {
         let (values, items, sorted) = match self {
             Self::Average(all) => return Pick::All(all),
@@ -72,7 +76,7 @@ impl<T> Blend<T> {
             return Pick::One(&items[last]);
         }
         // The last entry lies above the value, so there is a first such entry unless it is NaN.
-        let j = if sorted {
+        let j = if sorted && values.len() > FEW {
             values.partition_point(|e| *e < value)
         } else {
             values.iter().position(|e| *e >= value).unwrap_or(0)

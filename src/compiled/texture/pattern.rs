@@ -136,6 +136,7 @@ impl Pattern {
     }
 
     /// Carries a point from the space that contains the pattern to that of the formula.
+    #[inline]
     pub fn warp(&self, point: DVec3) -> DVec3 {
         let moved = self.warps.iter().fold(point, |p, warp| warp.apply(p));
         // POV-Ray's own limit.
@@ -160,6 +161,7 @@ impl Pattern {
     }
 
     /// What stands at a point, and the warped point.
+    #[inline]
     pub fn pick<'a, T>(&self, items: &'a Blend<T>, point: DVec3, context: &Context) -> (super::Pick<'a, T>, DVec3) {
         let warped = self.warp(point);
         let value = if let Blend::Average(_) = items { 0.0 } else { self.value_at_warped(warped, context) };
@@ -171,6 +173,7 @@ impl Pattern {
 const POV_PERIOD: f64 = 1.000_01;
 
 /// Frequency, phase and wave, as in section 2 of the pattern facts; the odd modulus is measured.
+#[inline]
 fn shape(raw: f64, frequency: f64, phase: f64, wave: Wave) -> f64 {
     let mut v = if frequency == 0.0 { raw } else { raw * frequency + phase };
     // Most values lie in the first period, and a remainder is costly.

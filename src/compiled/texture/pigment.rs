@@ -44,7 +44,10 @@ impl Pigment {
 
     /// The colour at a point; white and clear in holes.
     pub fn color_or_clear(&self, point: DVec3, context: &Context) -> Color {
-        self.color(point, context).unwrap_or(CLEAR)
+        match self {
+            Self::Colors(pattern, colors) => blend_colors(&pattern.pick(colors, point, context).0),
+            _ => self.color(point, context).unwrap_or(CLEAR),
+        }
     }
 
     /// Whether no light comes through anywhere.
@@ -60,6 +63,7 @@ impl Pigment {
     }
 }
 
+#[inline]
 fn blend_colors(pick: &Pick<'_, Color>) -> Color {
     match *pick {
         Pick::One(color) => *color,
