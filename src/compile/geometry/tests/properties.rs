@@ -95,7 +95,7 @@ struct Case {
 impl Case {
     fn new(name: &'static str, kind: Kind, text: impl Into<String>) -> Self {
         let text = text.into();
-        Self { name, text, kind, convex: false, field: None, normal_tolerance: 1e-4, allowed: 1, one_of: 1 }
+        Self { name, text, kind, convex: false, field: None, normal_tolerance: 1e-4, allowed: 0, one_of: 1 }
     }
 
     fn solid(name: &'static str, text: impl Into<String>) -> Self {
@@ -253,13 +253,15 @@ fn agrees(field: Field, tolerance: f64, place: &Transform, surface: &Surface<'_>
     let p = place.inverse_point(surface.point);
     let [ahead, behind] = [STEP, -STEP]
         .map(|step| DVec3::from([0, 1, 2].map(|axis| (field(p + DVec3::AXES[axis] * step) - field(p)) / step)));
-    if (ahead - behind).length() > SMOOTH * ahead.length() {
+    // An edge just within the step bends the differences by as much as they differ.
+    let bend = (ahead - behind).length() / ahead.length();
+    if bend > SMOOTH {
         return true;
     }
     let expected = place.normal(0.5 * (ahead + behind)).normalize();
     // Sheets have no outside; which way they face is their own affair.
     let turned = if expected.dot(surface.geometric_normal) < 0.0 { -1.0 } else { 1.0 };
-    (expected * turned - surface.geometric_normal).length() < tolerance
+    (expected * turned - surface.geometric_normal).length() < tolerance + bend
 }
 
 #[allow(clippy::print_stdout)] // the rates are what these tests are for
