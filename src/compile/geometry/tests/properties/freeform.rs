@@ -46,8 +46,8 @@ fn patches() {
         p.z - inner(p.x) * inner(p.y)
     };
     let text = format!("bicubic_patch {{ type 1 u_steps 6 v_steps 6 {points} }}");
-    // The facets turn by a 64th of the whole turn of the normal, from one to the next.
-    check(&Case::sheet("bicubic_patch", text).field(hill).normals_within(0.1));
+    // The facets turn by a 64th of the whole turn of the normal, from one to the next; stretched unevenly by more.
+    check(&Case::sheet("bicubic_patch", text).field(hill).normals_within(0.2));
 }
 
 #[test]
