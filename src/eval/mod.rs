@@ -43,12 +43,14 @@ mod random;
 mod recovery;
 mod scope;
 mod standard_includes;
+mod statements;
 mod strings;
 mod tokens;
 mod transforms;
 mod value;
 mod vector_functions;
 mod vector_lists;
+mod walk;
 
 #[cfg(test)]
 mod formula_probes;
