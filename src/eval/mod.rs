@@ -262,6 +262,7 @@ impl<'h> Evaluator<'h> {
 
     /// What holds for the scene as a whole once all of it is read.
     fn finish(&mut self) {
+        self.scene.settings.max_parts = self.options.limits.parts;
         if self.version_given {
             self.scene.settings.version = self.version;
         } else {
