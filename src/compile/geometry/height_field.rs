@@ -2,6 +2,7 @@
 //!
 //! Source: shape facts, freeform, section 3.
 
+use crate::compile::picture::{decoder_name, stored_level};
 use crate::compiled::geometry::HeightGrid;
 use crate::function::Function;
 use crate::imaging::{Pixels, decode, linear_from_srgb};
@@ -14,7 +15,7 @@ use crate::scene::{self, ImageFormat, ImageSource, Working};
 pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGrid>, String> {
     let (width, depth, top_down) = match &field.image.source {
         ImageSource::File { path, format } => {
-            let name = format_name(*format).ok_or("this picture type is not supported in height_field")?;
+            let name = decoder_name(*format).ok_or("this picture type is not supported in height_field")?;
             let mut pixels = decode(path, name).map_err(|e| e.to_string())?;
             if *format == ImageFormat::Pot {
                 let heights = from_potential(&pixels).ok_or("a pot file must be a GIF of even width")?;
@@ -35,22 +36,6 @@ pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGri
     // The picture's bottom row stands at z = 0.
     let heights: Vec<u16> = top_down.chunks_exact(width).rev().flatten().copied().collect();
     Ok(Some(HeightGrid::new(width, heights, field.water_level * 65536.0, field.smooth)))
-}
-
-fn format_name(format: ImageFormat) -> Option<&'static str> {
-    Some(match format {
-        ImageFormat::Png => "png",
-        ImageFormat::Gif => "gif",
-        ImageFormat::Tga => "tga",
-        ImageFormat::Bmp => "bmp",
-        ImageFormat::Pnm => "pnm",
-        ImageFormat::Jpeg => "jpeg",
-        ImageFormat::Tiff => "tiff",
-        ImageFormat::Exr => "exr",
-        ImageFormat::Hdr => "hdr",
-        ImageFormat::Pot => "pot",
-        ImageFormat::Iff => return None,
-    })
 }
 
 /// Fractint's 16-bit files: the left half holds the high bytes, the right half the low ones.
@@ -108,8 +93,7 @@ fn from_function(width: usize, height: usize, function: &Function) -> Vec<u16> {
         for column in 0..width {
             let value = function.call(&[share(column, width), share(row, height), 0.0]);
             let level = if function.width() == 1 {
-                // Values outside 0 to 1 wrap.
-                (65535.0 * value[0]).floor().rem_euclid(65536.0)
+                stored_level(value[0])
             } else {
                 (65535.0 * (0.297 * value[0] + 0.589 * value[1] + 0.114 * value[2])).floor().clamp(0.0, 65535.0)
             };

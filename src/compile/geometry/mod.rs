@@ -16,12 +16,6 @@ mod quadric_reach;
 mod sweep;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod tests_freeform;
-#[cfg(test)]
-mod tests_implicit;
-#[cfg(test)]
-mod tests_properties;
 mod text;
 mod watch;
 
