@@ -127,7 +127,10 @@ fn copies_of_copies() -> std::io::Result<()> {
         let step = format!("{operation} {{ object {{ A }} object {{ A translate x }} }}");
         check(doubled("sphere { 0 1 }", &step, "object { A }").as_bytes(), &many)?;
     }
-    check(doubled("sphere { 0 1 }", "object { A clipped_by { A } bounded_by { A } }", "object { A }").as_bytes(), &many)?;
+    check(
+        doubled("sphere { 0 1 }", "object { A clipped_by { A } bounded_by { A } }", "object { A }").as_bytes(),
+        &many,
+    )?;
     let lit = "union { light_source { 0 1 looks_like { sphere { 0 1 } } } }";
     check(doubled(lit, "union { object { A } object { A } }", "object { A }").as_bytes(), &many)?;
     let inside = ["200000 pigments"];

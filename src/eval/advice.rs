@@ -79,7 +79,8 @@ impl Evaluator<'_> {
             return Some("a macro ends with its value, without a word before it".to_owned());
         }
         let words = Keyword::ALL.iter().filter(|k| fits(k)).map(|k| k.word());
-        let near = nearest(word, declared()).or_else(|| completed(word, words.clone())).or_else(|| nearest(word, words));
+        let near =
+            nearest(word, declared()).or_else(|| completed(word, words.clone())).or_else(|| nearest(word, words));
         match near {
             None if in_value && next != Some(b'{') => Some(format!("declare it before: #declare {word} = …;")),
             near => near.map(meant),

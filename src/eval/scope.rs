@@ -148,7 +148,14 @@ impl Default for Scopes {
     fn default() -> Self {
         let global = Table { id: 0, names: Vec::new() };
         let deprecated = FxHashMap::default();
-        Self { bindings: Vec::new(), tables: vec![global], spare: Vec::new(), spare_slots: Vec::new(), opened: 0, deprecated }
+        Self {
+            bindings: Vec::new(),
+            tables: vec![global],
+            spare: Vec::new(),
+            spare_slots: Vec::new(),
+            opened: 0,
+            deprecated,
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Objects: a shape, where it stands, what it looks like.
 
-use super::{Interior, CsgOperation, Shape, Texture};
+use super::{CsgOperation, Interior, Shape, Texture};
 use crate::diag::Span;
 use crate::math::{Bounds, Transform};
 use std::sync::Arc;

@@ -138,8 +138,7 @@ impl Parser<'_> {
     fn demand(&mut self, name: Symbol, n_indices: u8, demand: Demand) -> OperandId {
         let operands = &mut self.formula.operands;
         let same = |o: &Operand| {
-            (o.name, o.n_indices) == (name, n_indices)
-                && (o.demand == demand || o.demand.max(demand) <= Demand::Float)
+            (o.name, o.n_indices) == (name, n_indices) && (o.demand == demand || o.demand.max(demand) <= Demand::Float)
         };
         let known = operands.iter().position(same);
         let at = known.unwrap_or_else(|| {

@@ -106,7 +106,8 @@ impl Reader<'_> {
         let (value, end) = self.is(at, '=').then(|| self.part(at + 1, false))??;
         // A second semicolon is forgiven, and may come from anywhere.
         let alone = self.is(end, ';') && self.kind(end + 1).is_some_and(|next| next != TokenKind::Punct(';'));
-        let action = if indices.is_empty() { Action::Set(name, scope) } else { Action::SetElement(name, scope, indices) };
+        let action =
+            if indices.is_empty() { Action::Set(name, scope) } else { Action::SetElement(name, scope, indices) };
         alone.then(|| Statement { action, value, length: end + 1 })
     }
 }
