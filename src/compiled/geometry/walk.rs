@@ -134,29 +134,23 @@ impl<'a> Walk<'a> {
 
     /// Notes a hit inside the range, which reaches to what is as near as the nearest so far.
     fn record(&mut self, t: f64, primitive: u32, part: u32, owner: Owner) -> ControlFlow<()> {
-        if self.any {
-            self.best = Some(Hit { t, primitive, part, path: self.path });
-            return ControlFlow::Break(());
+        let as_near = |best: &Hit| t >= best.t && !self.any;
+        if self.best.as_ref().is_some_and(|best| as_near(best) && !self.precedes(owner, primitive, best)) {
+            return ControlFlow::Continue(());
         }
-        let hit = Hit { t, primitive, part, path: self.path };
-        if self.best.is_none_or(|best| t < best.t || self.precedes(owner, &hit, &best)) {
-            (self.best, self.winner) = (Some(hit), owner);
-            self.range.max = t.next_up();
-        }
-        ControlFlow::Continue(())
+        self.best = Some(Hit { t, primitive, part, path: self.path });
+        self.winner = owner;
+        self.range.max = t.next_up();
+        if self.any { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Whether the owner of one of two equally near hits comes first, as in POV-Ray (shape facts, section 13):
     /// what is infinite before what is not, then the object whose box the ray enters first, then by the file.
     #[cold]
-    fn precedes(&self, owner: Owner, hit: &Hit, best: &Hit) -> bool {
-        let (a, b) = (self.entry(owner, &hit.path), self.entry(self.winner, &best.path));
-        let place = |hit: &Hit| (hit.primitive, hit.path);
-        let earlier = || {
-            let (a, b) = (place(hit), place(best));
-            (a.0, a.1.steps()) < (b.0, b.1.steps())
-        };
-        a < b || (a == b && earlier())
+    fn precedes(&self, owner: Owner, primitive: u32, best: &Hit) -> bool {
+        let (new, old) = (self.entry(owner, &self.path), self.entry(self.winner, &best.path));
+        let by_file = (primitive, self.path.steps()) < (best.primitive, best.path.steps());
+        new < old || (new == old && by_file)
     }
 
     /// The parameter at which the ray enters the box of an object.

@@ -69,8 +69,8 @@ fn blobs() {
         0.4 - part(0.4) - part(-0.4)
     };
     let text = "blob { threshold .4 sphere { .4*x, 1, 1 } sphere { -.4*x, 1, 1 } }";
-    check(&Case::solid("blob", text).field(pair).allowed(200));
+    check(&Case::solid("blob", text).field(pair));
     let mixed = "blob { threshold .5 cylinder { -.6*x, .6*x, .8, 1 } sphere { .5*y, .7, 1.2 }
         sphere { <.4, .3, -.5>, .6, -1 } cylinder { 0, z, .5, .8 scale <1, 1.5, 1> rotate 20*y } }";
-    check(&Case::solid("blob of all parts", mixed).allowed(200));
+    check(&Case::solid("blob of all parts", mixed));
 }

@@ -9,11 +9,10 @@ fn isosurfaces() {
     let isosurface = |rest: &str| format!("#declare S = SIZE; isosurface {{ {rest} accuracy .000001*S max_trace 10 }}");
     let ball = isosurface("function { sqrt(x*x + y*y + z*z)/S - .9 } max_gradient 1/S contained_by { box { -S, S } }");
     // A hit lies up to the accuracy behind the surface, and slopes are taken over it.
-    check(&Case::solid("isosurface", ball).field(|p| p.length() - 0.9).allowed(200));
+    check(&Case::solid("isosurface", ball).field(|p| p.length() - 0.9));
     let waves =
         isosurface("function { y/S + .2*sin(5*x/S)*cos(4*z/S) } max_gradient 2/S contained_by { sphere { 0, S } }");
-    // As in POV-Ray nothing is looked for within five times the accuracy behind a hit.
-    check(&Case::solid("isosurface cut by a sphere", waves).allowed(200));
+    check(&Case::solid("isosurface cut by a sphere", waves));
 }
 
 #[test]

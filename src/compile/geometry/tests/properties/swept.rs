@@ -39,20 +39,20 @@ fn lathes() {
 #[test]
 fn sors() {
     let points = "5, <.5, -1.5>, <.6, -1>, <.9, 0>, <.3, 1>, <.2, 1.5>";
-    check(&Case::solid("sor", format!("sor {{ {points} }}")).allowed(200));
-    check(&Case::sheet("sor open", format!("sor {{ {points} open }}")).allowed(200));
+    check(&Case::solid("sor", format!("sor {{ {points} }}")));
+    check(&Case::sheet("sor open", format!("sor {{ {points} open }}")));
 }
 
 #[test]
 fn sphere_sweeps() {
     let linear = "sphere_sweep { linear_spline 3, <-.8, 0, 0>, .4, <0, .5, .2>, .25, <.8, -.2, 0>, .35 }";
-    check(&Case::solid("sphere_sweep linear", linear).allowed(200));
+    check(&Case::solid("sphere_sweep linear", linear));
     let capsule: Field = |p| (p - super::v(p.x.clamp(-0.6, 0.6), 0.0, 0.0)).length() - 0.4;
     let text = "sphere_sweep { linear_spline 2, -.6*x, .4, .6*x, .4 }";
-    check(&Case::solid("sphere_sweep capsule", text).convex().field(capsule).allowed(200));
+    check(&Case::solid("sphere_sweep capsule", text).convex().field(capsule));
     let points = "5, <-1.5, 0, 0>, .3, <-.7, .5, 0>, .25, <0, -.3, .4>, .4, <.7, .5, 0>, .2, <1.5, 0, 0>, .3";
-    check(&Case::solid("sphere_sweep b_spline", format!("sphere_sweep {{ b_spline {points} }}")).allowed(200));
-    check(&Case::solid("sphere_sweep cubic", format!("sphere_sweep {{ cubic_spline {points} }}")).allowed(200));
+    check(&Case::solid("sphere_sweep b_spline", format!("sphere_sweep {{ b_spline {points} }}")));
+    check(&Case::solid("sphere_sweep cubic", format!("sphere_sweep {{ cubic_spline {points} }}")));
 }
 
 #[test]
