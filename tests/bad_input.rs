@@ -113,3 +113,37 @@ fn mistakes() -> std::io::Result<()> {
     check(b"#include \"missing.inc\"", &["bad.pov:1:", "--include DIR"])?;
     check(b"plane { y, 0 pigment { image_map { png \"missing.png\" } } }", &["bad.pov:1:", "missing.png"])
 }
+
+/// Sixty times over, each line made of the one before twice.
+fn doubled(first: &str, step: &str, end: &str) -> String {
+    format!("#version 3.7;\n#declare A = {first}\n{}{end}\n", format!("#declare A = {step}\n").repeat(60))
+}
+
+#[test]
+fn copies_of_copies() -> std::io::Result<()> {
+    let many = ["bad.pov:63:1", "parts=N"];
+    check(doubled("sphere { 0 1 }", "union { object { A } object { A rotate y } }", "object { A }").as_bytes(), &many)?;
+    for operation in ["merge", "intersection", "difference"] {
+        let step = format!("{operation} {{ object {{ A }} object {{ A translate x }} }}");
+        check(doubled("sphere { 0 1 }", &step, "object { A }").as_bytes(), &many)?;
+    }
+    check(
+        doubled("sphere { 0 1 }", "object { A clipped_by { A } bounded_by { A } }", "object { A }").as_bytes(),
+        &many,
+    )?;
+    let lit = "union { light_source { 0 1 looks_like { sphere { 0 1 } } } }";
+    check(doubled(lit, "union { object { A } object { A } }", "object { A }").as_bytes(), &many)?;
+    let inside = ["200000 pigments"];
+    for (first, step, end) in [
+        ("pigment { rgb 1 }", "pigment { average pigment_map { [1 A] [1 A] } }", "pigment { A }"),
+        ("normal { bumps }", "normal { gradient x normal_map { [0 A] [1 A] } }", "pigment { rgb 1 } normal { A }"),
+        ("texture { pigment { rgb 1 } }", "texture { checker texture { A } texture { A } }", "texture { A }"),
+    ] {
+        check(doubled(first, step, &format!("sphere {{ 0 1 {end} }}")).as_bytes(), &inside)?;
+    }
+    check(doubled("texture { pigment { rgbt .5 } }", "texture { A } texture { A }", "").as_bytes(), &["10000 layers"])?;
+    check(doubled("\"ab\"", "concat(A, A)", "#debug A").as_bytes(), &["string_bytes=N"])?;
+    // What is shared may be asked about: the error comes behind it.
+    let asks = "#declare E = max_extent(A) + trace(A, -5*z, z); #declare I = inside(A, <0, 0, 0>);\nobject { B }";
+    check(doubled("sphere { 0 1 }", "union { object { A } object { A } }", asks).as_bytes(), &["bad.pov:64:", "'B'"])
+}

@@ -17,6 +17,7 @@ const PATIENCE: Duration = Duration::from_secs(20);
 const LIMITS: Limits = Limits {
     steps: 5_000,
     objects: 2_000,
+    parts: 20_000,
     array_elements: 20_000,
     string_bytes: 20_000,
     include_depth: 8,

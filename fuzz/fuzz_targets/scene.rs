@@ -12,6 +12,7 @@ use whitted::eval::{self, Host as _, Limits, Memory, Options};
 const LIMITS: Limits = Limits {
     steps: 1_000,
     objects: 500,
+    parts: 5_000,
     array_elements: 5_000,
     string_bytes: 10_000,
     include_depth: 6,

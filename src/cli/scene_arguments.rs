@@ -24,7 +24,7 @@ pub(super) struct SceneArguments {
     #[arg(long, value_name = "VALUE", default_value_t = 0.0)]
     clock: f64,
     /// Change a limit on what a scene may use up: steps, macro_depth, include_depth, nesting, objects,
-    /// array_elements or string_bytes
+    /// parts, array_elements or string_bytes
     #[arg(long, value_name = "NAME=N", value_parser = limit)]
     limit: Vec<(String, u64)>,
     /// How isosurfaces are looked for: `guaranteed` finds all of the surface where its function can be

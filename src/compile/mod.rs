@@ -3,6 +3,7 @@
 mod camera;
 pub mod geometry;
 mod light;
+mod picture;
 mod queries;
 pub mod texture;
 mod world;

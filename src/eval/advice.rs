@@ -1,8 +1,11 @@
 //! Hints for the mistakes that people make.
 
+use super::colors::is_color_word;
+use super::float_functions::starts_expression;
+use super::standard_includes::{advice_on_texture, declared_in};
 use super::{Evaluator, Value};
-use crate::diag::nearest;
-use crate::syntax::{Directive, Keyword, Keyword as K, Token, TokenKind};
+use crate::diag::{Span, completed, nearest};
+use crate::syntax::{Directive, Keyword, Keyword as K, Symbol, Token, TokenKind};
 
 /// What was found instead of what was expected.
 enum Found<'a> {
@@ -24,9 +27,12 @@ impl Evaluator<'_> {
                 None if self.sources.bytes(token.span).starts_with(b"#") => {
                     let words = Keyword::ALL.iter().filter(|k| Directive::from_keyword(**k).is_some());
                     let near = nearest(self.names.word(name), words.map(|k| k.word()));
-                    return near.map(|near| format!("did you mean '#{near}'?"));
+                    return Some(match near {
+                        Some(near) => format!("did you mean '#{near}'?"),
+                        None => "'#' begins a directive such as #declare; a comment begins with //".to_owned(),
+                    });
                 }
-                None => return self.near_name(name),
+                None => return self.near_name(name, token.span, false),
             },
             TokenKind::Keyword(keyword) => Found::Keyword(keyword),
             TokenKind::Punct(c) | TokenKind::OrEqual(c) => Found::Sign(c),
@@ -41,6 +47,91 @@ impl Evaluator<'_> {
         }
     }
 }
+
+/// Names and words that may be meant by one that is not declared.
+impl Evaluator<'_> {
+    /// Where a name comes from, or "did you mean …?"; `in_value` where a number, a string or a declared thing was wanted.
+    pub(super) fn near_name(&self, name: Symbol, span: Span, in_value: bool) -> Option<String> {
+        let word = &**self.names.word(name);
+        let meant = |near: &str| format!("did you mean '{near}'?");
+        let declared = || self.scopes.names().map(|s| &**self.names.word(s));
+        if let Some(same) = declared().find(|known| known.eq_ignore_ascii_case(word)) {
+            return Some(meant(same));
+        }
+        let next = self.next_byte(span);
+        let lower = word.to_ascii_lowercase();
+        let same_word = Keyword::from_word(&lower).filter(|_| lower != word);
+        let lower_case = |k: Keyword| format!("{} The words of the language are in lower case", meant(k.word()));
+        if let Some(object) = same_word.filter(|k| starts_object(*k) && next == Some(b'{')) {
+            return Some(lower_case(object));
+        }
+        if let Some(file) = declared_in(word) {
+            return Some(format!("it is declared in a standard file: #include \"{file}\""));
+        }
+        if let Some(advice) = advice_on_texture(word) {
+            return Some(advice);
+        }
+        let fits = |keyword: &Keyword| !in_value || fits_in_value(*keyword, next);
+        if let Some(keyword) = same_word.filter(fits) {
+            return Some(lower_case(keyword));
+        }
+        if word == "return" {
+            return Some("a macro ends with its value, without a word before it".to_owned());
+        }
+        let words = Keyword::ALL.iter().filter(|k| fits(k)).map(|k| k.word());
+        let near =
+            nearest(word, declared()).or_else(|| completed(word, words.clone())).or_else(|| nearest(word, words));
+        match near {
+            None if in_value && next != Some(b'{') => Some(format!("declare it before: #declare {word} = …;")),
+            near => near.map(meant),
+        }
+    }
+
+    /// The first byte behind a token that is no blank, if it is near.
+    fn next_byte(&self, span: Span) -> Option<u8> {
+        const NEAR: u32 = 80;
+        let byte = |i: u32| self.sources.bytes(Span { start: span.end + i, end: span.end + i + 1, ..span }).first();
+        (0..NEAR).map_while(byte).find(|b| !b.is_ascii_whitespace()).copied()
+    }
+}
+
+/// Whether a word can stand where a value is wanted, with that character behind it.
+fn fits_in_value(word: Keyword, next: Option<u8>) -> bool {
+    match next {
+        Some(b'(') => starts_expression(word) || is_string_function(word),
+        Some(b'{') => true,
+        _ => is_constant(word) || is_color_word(word),
+    }
+}
+
+fn is_string_function(word: Keyword) -> bool {
+    matches!(word, K::Chr | K::Concat | K::Datetime | K::Str | K::Strlwr | K::Strupr | K::Substr | K::Vstr)
+}
+
+fn is_constant(word: Keyword) -> bool {
+    matches!(
+        word,
+        K::Pi
+            | K::True
+            | K::False
+            | K::Yes
+            | K::No
+            | K::On
+            | K::Off
+            | K::Clock
+            | K::ClockOn
+            | K::Now
+            | K::Version
+            | K::X
+            | K::Y
+            | K::Z
+            | K::T
+            | K::U
+            | K::V
+    )
+}
+
+const POWER: &str = "the power is pow(A, B)";
 
 /// A block was expected to end.
 fn in_block(block: &str, found: &Found<'_>) -> Option<String> {
@@ -67,7 +158,8 @@ fn in_block(block: &str, found: &Found<'_>) -> Option<String> {
         Found::Sign(',') if block == "pigment" => {
             "a colour's components stand in angle brackets: rgb <1, 0.5, 0>".into()
         }
-        Found::Sign(',') => "no ',' belongs here".into(),
+        Found::Sign(',') => "no ',' belongs here; a vector stands in angle brackets: translate <1, 2, 3>".into(),
+        Found::Sign('^') => POWER.into(),
         Found::Keyword(K::Color | K::Colour | K::Rgb | K::Rgbf | K::Rgbt | K::Rgbft) => {
             "a colour stands in a pigment: pigment { rgb <1, 0, 0> }".into()
         }
@@ -86,6 +178,22 @@ fn elsewhere(expected: &str, found: &Found<'_>) -> Option<String> {
         Found::Sign(';') if expected.contains("an object, a block") => {
             "blocks end with '}' alone; a ';' belongs behind numbers, colours and strings that are declared"
         }
+        Found::Sign('+') if expected.contains("an object, a block") => {
+            "strings are joined by concat(A, B); a variable grows by #declare I = I + 1;"
+        }
+        Found::Value("float" | "vector" | "colour", _) if expected.contains("an object, a block") => {
+            "a variable is changed by a directive: #declare I = I + 1;"
+        }
+        Found::Sign('%') => "the remainder of a division is mod(A, B)",
+        Found::Sign('^') => POWER,
+        Found::Sign('&' | '|') if expected.starts_with("a number") => "a single '&' means and, a single '|' or",
+        Found::Sign('.') if expected.starts_with("'=' in the declaration") => {
+            "a component cannot be set alone: #declare V = <5, V.y, V.z>;"
+        }
+        Found::Sign('}') if expected == "a colour" => "a colour is missing before it, such as rgb <1, 1, 1>",
+        Found::Keyword(_) | Found::Sign('}' | '{') if expected.starts_with("')' behind") => {
+            "is a ')' missing before it?"
+        }
         Found::Sign('<' | '>' | '=' | '!') if expected.starts_with("';'") => {
             "a comparison in a declaration must stand in parentheses: (A > 2)"
         }
@@ -94,7 +202,7 @@ fn elsewhere(expected: &str, found: &Found<'_>) -> Option<String> {
         Found::Number if expected.starts_with("')' behind the arguments") => "arguments are separated by commas",
         _ if expected.starts_with("'(' before the condition") => "conditions stand in parentheses: #while (I < 5)",
         Found::Sign('=') if expected.starts_with("a number, a vector") => {
-            "a loop is written #for (I, 0, 4), a declaration #declare I = 0;"
+            "a single '=' compares; a loop is written #for (I, 0, 4), a declaration #declare I = 0;"
         }
         Found::Number if expected == "a string" => "str(NUMBER, 0, -1) makes a string of a number",
         Found::String if expected.contains("number") => "val(STRING) makes a number of a string",

@@ -11,8 +11,19 @@ use std::rc::Rc;
 /// Most dimensions of an array.
 const MAX_DIMENSIONS: usize = 5;
 
+impl Array {
+    /// The flat index of an element.
+    pub(super) fn flat_index(&self, indices: &[f64]) -> Result<usize, String> {
+        let mut flat = 0;
+        for (index, size) in indices.iter().zip(&self.dimensions) {
+            flat = flat * size + whole_index(*index, *size)?;
+        }
+        Ok(flat)
+    }
+}
+
 /// The element that an index means in a dimension of that size.
-pub(super) fn whole_index(index: f64, size: usize) -> Result<usize, String> {
+fn whole_index(index: f64, size: usize) -> Result<usize, String> {
     let whole = (index + EPSILON).trunc();
     // Down to -1 the truncation gives zero, but only a rounding error may lie below it.
     if index < -EPSILON || whole.is_nan() || whole >= size as f64 {
@@ -100,7 +111,7 @@ impl Evaluator<'_> {
         if dimensions.is_empty() || dimensions.len() > MAX_DIMENSIONS {
             return self.error(span, "an array has one to five dimensions, each in square brackets");
         }
-        let mut array = Array { elements: Vec::new(), dimensions };
+        let mut array = Array::new(dimensions, Vec::new());
         if self.fill(true)? == TokenKind::Punct('{') {
             self.initialise(&mut array, 0)?;
         } else {
@@ -122,7 +133,7 @@ impl Evaluator<'_> {
             } else {
                 let value = self.element()?;
                 let span = self.last_span;
-                self.check_element(array.elements.iter().flatten().next(), &value, span)?;
+                self.check_element(array.any(), &value, span)?;
                 array.elements.push(Some(value));
             }
             if self.fill(true)? == TokenKind::Punct(',') {
@@ -172,9 +183,8 @@ impl Evaluator<'_> {
     pub(super) fn store(&self, place: &Place, value: Option<Value>, span: Span) -> SourceResult<()> {
         if let (Some(new), Some((_, outer))) = (&value, place.path.split_last()) {
             let parent = Place { slot: Rc::clone(&place.slot), path: outer.into() };
-            // Looking for any set element walks past unset ones, so try the one at hand first.
             let sample = place.get().or_else(|| match parent.get() {
-                Some(Value::Array(array)) => array.elements.iter().flatten().next().cloned(),
+                Some(Value::Array(array)) => array.any().cloned(),
                 _ => None,
             });
             self.check_element(sample.as_ref(), new, span)?;

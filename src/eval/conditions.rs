@@ -18,7 +18,7 @@ impl Evaluator<'_> {
     }
 
     /// Runs the first branch, or the first further one whose condition holds.
-    fn choose(&mut self, mut holds: bool, span: Span) -> SourceResult<()> {
+    pub(super) fn choose(&mut self, mut holds: bool, span: Span) -> SourceResult<()> {
         let mut last = false;
         while !holds {
             match self.skip_branch(span)? {

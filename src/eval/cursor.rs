@@ -6,7 +6,7 @@
 use super::Evaluator;
 use super::scope::{Scopes, TableId};
 use crate::diag::{Diagnostic, SourceResult, Span};
-use crate::syntax::formula::Formula;
+use crate::syntax::formula::{Formula, Statement};
 use crate::syntax::vectors::read_vector;
 use crate::syntax::{Directive, Names, Piece, Position, Source, Symbol, Token, TokenKind};
 use std::rc::Rc;
@@ -140,6 +140,18 @@ impl Cursor {
         Some(token)
     }
 
+    /// The next token, taken, if it is a directive in the current piece.
+    #[inline]
+    pub(super) fn directive(&mut self) -> Option<(Directive, Span)> {
+        if self.run.is_some() || self.index >= self.limit {
+            return None;
+        }
+        let token = &self.tokens.as_ref()?.tokens[self.index];
+        let TokenKind::Directive(directive) = token.kind else { return None };
+        self.index += 1;
+        Some((directive, token.span))
+    }
+
     /// The next token; `None` at the end. For a literal vector its components go to `literal`.
     pub(super) fn step(&mut self, names: &mut Names, literal: &mut ([f64; 5], u8)) -> Option<Token> {
         loop {
@@ -233,22 +245,21 @@ impl Cursor {
         Some((piece.formula(start, full, self.source.text(), &|name| scopes.is_macro(name))?, start))
     }
 
-    /// The formula that begins `n` tokens further on, and the index of its first token.
-    pub(super) fn formula_behind(&self, n: usize, full: bool, scopes: &Scopes) -> Option<(Rc<Formula>, usize)> {
-        let start = self.index + n;
-        let piece = self.tokens.as_ref()?;
-        (start < self.limit).then_some(())?;
-        Some((piece.formula(start, full, self.source.text(), &|name| scopes.is_macro(name))?, start))
-    }
-
-    /// The token `n` places further on, if it belongs to the current piece.
+    /// The statement that comes next, or begins so many tokens before; and the index of its first token.
     #[inline]
-    pub(super) fn upcoming(&self, n: usize) -> Option<TokenKind> {
-        let at = self.index + n;
-        if at >= self.limit || self.run.is_some() {
+    pub(super) fn statement(&self, before: usize, scopes: &Scopes) -> Option<(Rc<Statement>, usize)> {
+        let (piece, start) = (self.tokens.as_ref()?, self.index.checked_sub(before)?);
+        if start >= self.limit || self.run.is_some() {
             return None;
         }
-        self.tokens.as_ref().map(|piece| piece.tokens[at].kind)
+        let statement = piece.statement(start, self.source.text(), &|name| scopes.is_macro(name))?;
+        // Behind a macro's last statement its caller goes on, maybe with a semicolon.
+        (start + statement.length < self.limit).then_some((statement, start))
+    }
+
+    /// Lets that token of the current piece come next.
+    pub(super) fn go_on_at(&mut self, token: usize) {
+        self.index = token;
     }
 
     /// Goes past tokens of the current piece.

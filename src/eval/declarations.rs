@@ -29,9 +29,6 @@ enum Target {
 impl Evaluator<'_> {
     /// `#declare` and `#local`, after the word.
     pub(super) fn declaration(&mut self, local: bool) -> SourceResult<()> {
-        if self.declaration_formula(local)? {
-            return Ok(());
-        }
         let deprecated = self.deprecation()?;
         let (name, span) = self.new_name()?;
         let target = self.target(name, local, span)?;

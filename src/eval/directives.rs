@@ -1,7 +1,7 @@
 //! Which directive does what, and the blocks that `#end` closes.
 
 use super::{Evaluator, Place};
-use crate::diag::{SourceResult, Span, Topic};
+use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::syntax::{Directive, Keyword, Position, TokenKind};
 
 /// A conditional or loop whose `#end` is still to come.
@@ -62,16 +62,21 @@ impl Evaluator<'_> {
         }
         let in_scene = self.cursors.len() == 1;
         if let Err(errors) = self.dispatch(directive, span) {
-            if directive.opens_block() && in_scene {
-                self.unopened = Some(span);
-            }
-            return Err(errors);
+            return self.not_opened(directive.opens_block() && in_scene, span, errors);
         }
         self.case_wanted |= case_wanted && !matches!(directive, Directive::Case | Directive::Range);
         self.nesting = self.nesting.saturating_sub(1);
         self.bare = bare;
         self.parentheses = parentheses;
         Ok(())
+    }
+
+    /// Fails, and notes the directive whose `#end` would be one too many now.
+    pub(super) fn not_opened<T>(&mut self, noted: bool, span: Span, errors: Vec<Diagnostic>) -> SourceResult<T> {
+        if noted {
+            self.unopened = Some(span);
+        }
+        Err(errors)
     }
 
     fn dispatch(&mut self, directive: Directive, span: Span) -> SourceResult<()> {

@@ -38,6 +38,19 @@ impl Number {
         Self { n, v }
     }
 
+    /// Componentwise, for operations that give 0 for two zeros: what lies past the width stays 0.
+    #[inline]
+    pub(super) fn zip_all(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let n = self.n.max(other.n);
+        let (a, b) = (self.widened(n), other.widened(n));
+        Self { n, v: std::array::from_fn(|i| f(a.v[i], b.v[i])) }
+    }
+
+    /// Whether a component is exactly 0.
+    pub(super) fn has_zero(&self) -> bool {
+        self.v[..usize::from(self.n)].contains(&0.0)
+    }
+
     /// Componentwise.
     pub(super) fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
         for c in &mut self.v[..self.n as usize] {
@@ -114,9 +127,6 @@ impl Evaluator<'_> {
 
     /// `( full expression )`, as a condition.
     pub(super) fn condition(&mut self) -> SourceResult<f64> {
-        if let Some(value) = self.condition_formula()? {
-            return Ok(value);
-        }
         self.bracketed('(', "before the condition", ')', "behind the condition", Self::full_float)
     }
 
@@ -295,7 +305,7 @@ impl Evaluator<'_> {
     fn quotient(&mut self, left: Number, right: Number, span: Span) -> Number {
         let quotient = left.zip(right, |a, b| Operator::Divide.apply(a, b));
         let n = quotient.n;
-        if right.widened(n).v[..n as usize].contains(&0.0) {
+        if right.widened(n).has_zero() {
             self.warn_division(span);
         }
         quotient

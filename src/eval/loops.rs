@@ -7,6 +7,11 @@ use crate::diag::{SourceResult, Span};
 use crate::syntax::Position;
 
 impl Evaluator<'_> {
+    /// The place of a token in the innermost cursor's piece.
+    pub(super) fn position_of(&self, index: usize) -> Position {
+        Position { index: index as u32, ..self.here() }
+    }
+
     /// Where the innermost cursor stands.
     fn here(&self) -> Position {
         self.cursors.last().map_or(Position::default(), super::cursor::Cursor::position)
@@ -41,13 +46,32 @@ impl Evaluator<'_> {
 
     pub(super) fn run_while(&mut self, span: Span) -> SourceResult<()> {
         let condition = self.here();
-        if truth(self.condition()?) {
+        let holds = truth(self.condition()?);
+        self.enter_while(holds, condition, span)
+    }
+
+    /// Runs the body of a loop whose condition was met at that place, or goes past it.
+    pub(super) fn enter_while(&mut self, holds: bool, condition: Position, span: Span) -> SourceResult<()> {
+        if holds {
             let cursor = self.cursors.len();
             self.open_blocks.push(Block { kind: BlockKind::While { cursor, condition }, span });
             Ok(())
         } else {
             self.skip_block(span)
         }
+    }
+
+    /// Whether the condition holds, where the `#while` before it was jumped to again.
+    fn condition_again(&mut self) -> SourceResult<bool> {
+        let known = self.cursors.last().and_then(|cursor| cursor.statement(1, &self.scopes));
+        if let Some((statement, start)) = known
+            && self.ahead.is_none()
+            && self.version >= 350
+            && let Some(holds) = self.condition_of(&statement, start)?
+        {
+            return Ok(holds);
+        }
+        self.condition().map(truth)
     }
 
     pub(super) fn run_for(&mut self, span: Span) -> SourceResult<()> {
@@ -97,7 +121,7 @@ impl Evaluator<'_> {
                 self.count_step(opened)?;
                 let after = self.here();
                 self.jump(condition);
-                if !truth(self.condition()?) {
+                if !self.condition_again()? {
                     self.jump(after);
                     self.open_blocks.pop();
                 }

@@ -6,13 +6,12 @@
 //! macros in expressions are: its body runs as always, its expression gives the operand.
 
 use super::cursor::Cursor;
-use super::declarations::Argument;
-use super::formulas::Walk;
+use super::macros::Arguments;
+use super::walk::Walk;
 use super::{Evaluator, Macro, Number, Value};
 use crate::diag::SourceResult;
 use crate::syntax::formula::{MacroCall, MacroResult, Node};
 use crate::syntax::{Token, TokenKind};
-use smallvec::SmallVec;
 use std::rc::Rc;
 
 /// Calls inside one another beyond which tokens are read, which takes none of the stack.
@@ -29,36 +28,30 @@ impl Evaluator<'_> {
             && (result.numeric || call.numeric || !call.whole)
     }
 
-    /// Whether a name can be passed by reference.
-    pub(super) fn is_reference(value: Option<&Value>) -> bool {
-        !matches!(value, None | Some(Value::Function(_) | Value::Spline(_) | Value::Macro(_) | Value::File(_)))
-    }
-
     /// Calls a macro for its result in a place of width `n`.
     pub(super) fn walk_macro(&mut self, walk: &Walk<'_>, call: &MacroCall, n: u8) -> SourceResult<Number> {
         let span = self.token_span(walk, call.token);
-        let mut arguments = SmallVec::new();
+        let mut arguments = Arguments::new();
         for i in 0..usize::from(call.arguments.n) {
             let item = walk.item(call.arguments, i);
             arguments.push(match walk.formula.nodes[usize::from(item)] {
-                Node::Name(name) => match self.scopes.find(name) {
-                    Some(place) => Argument::Alias(place.clone()),
-                    None => return self.undeclared(name, span),
-                },
-                Node::Element(name, indices, token) => {
-                    let (mut place, flat) = self.walk_index(walk, name, indices, token)?;
-                    place.path.push(flat as u32);
-                    if place.with(|value| value.is_none()) {
-                        return self.error(self.token_span(walk, token), "this array element was never set");
+                Node::Name(operand) => {
+                    let name = walk.formula.name(operand);
+                    match self.scopes.find(name) {
+                        Some(place) => place.clone(),
+                        None => return self.undeclared(name, span),
                     }
-                    Argument::Alias(place)
                 }
-                _ => Argument::Value(Value::from(self.walk(walk, item, 1)?)),
+                Node::Element(array, indices, token) => self.walk_place(walk, array, indices, token)?,
+                _ => {
+                    let value = Value::from(self.walk(walk, item, 1)?);
+                    self.scopes.place(value)
+                }
             });
         }
         let Some(called) = self.macro_named(call.name) else { return self.undeclared(call.name, span) };
         let held = (self.ahead.take(), std::mem::replace(&mut self.ready, false));
-        self.enter_macro(&called, arguments, span)?;
+        self.enter_macro(&called, &mut arguments, span)?;
         let value = self.run_body(&called, n)?;
         self.leave_cursor()?;
         (self.ahead, self.ready) = held;
@@ -83,14 +76,15 @@ impl Evaluator<'_> {
         match self.value_of(&result.formula, result.start, n)? {
             Some(value) => {
                 self.take();
-                Ok(value)
+                Ok(value.widened(n))
             }
             None => self.result_by_tokens(n),
         }
     }
 
-    /// The next token of the body, taken, if it stands before the result.
+    /// Runs directives; the token behind them, taken, if it still stands before the result.
     fn before_result(&mut self, result: &MacroResult) -> SourceResult<Option<Token>> {
+        self.run_directives()?;
         let next = self.cursors.last().map_or(0, Cursor::index) - usize::from(self.ahead.is_some());
         if next >= result.start {
             return Ok(None);

@@ -10,6 +10,9 @@ use smallvec::SmallVec;
 use std::cell::OnceCell;
 use std::rc::Rc;
 
+/// What the parameters of a call stand for: variables of the caller, or new ones.
+pub(super) type Arguments = SmallVec<[Place; 4]>;
+
 impl Evaluator<'_> {
     /// `#macro NAME ( parameters ) … #end`: remembers where the body stands.
     pub(super) fn define_macro(&mut self, span: Span) -> SourceResult<()> {
@@ -53,11 +56,11 @@ impl Evaluator<'_> {
         let bare = std::mem::replace(&mut self.bare, false);
         let case_wanted = std::mem::take(&mut self.case_wanted);
         self.deeper()?;
-        let arguments = self.macro_arguments(called, span)?;
+        let mut arguments = self.macro_arguments(called, span)?;
         self.nesting = self.nesting.saturating_sub(1);
         self.bare = bare;
         self.case_wanted = case_wanted;
-        self.enter_macro(called, arguments, span)?;
+        self.enter_macro(called, &mut arguments, span)?;
         if called.result.get().is_none() {
             self.find_result(called);
         }
@@ -68,7 +71,7 @@ impl Evaluator<'_> {
     pub(super) fn enter_macro(
         &mut self,
         called: &Rc<Macro>,
-        arguments: SmallVec<[Argument; 4]>,
+        arguments: &mut Arguments,
         span: Span,
     ) -> SourceResult<()> {
         self.count_step(span)?;
@@ -79,12 +82,8 @@ impl Evaluator<'_> {
         }
         self.scopes.push();
         let table = self.local_table();
-        for (parameter, argument) in called.parameters.iter().zip(arguments) {
-            let place = match argument {
-                Argument::Alias(place) => place,
-                Argument::Value(value) => Place::new(value),
-            };
-            self.scopes.bind(table, *parameter, place);
+        for (parameter, argument) in called.parameters.iter().zip(arguments.drain(..)) {
+            self.scopes.bind(table, *parameter, argument);
         }
         let range = (called.start, Some(called.end));
         let mut cursor = Cursor::new(Rc::clone(&called.source), range, Role::Macro(called.name));
@@ -106,14 +105,14 @@ impl Evaluator<'_> {
         called.result.get_or_init(|| result);
     }
 
-    fn macro_arguments(&mut self, called: &Macro, span: Span) -> SourceResult<SmallVec<[Argument; 4]>> {
+    fn macro_arguments(&mut self, called: &Macro, span: Span) -> SourceResult<Arguments> {
         let wanted = called.parameters.len();
         if self.fill(false)? != TokenKind::Punct('(') {
             let name = self.names.word(called.name).clone();
             return self.expected(&format!("'(' behind the name of the macro '{name}'"));
         }
         self.take();
-        let mut arguments = SmallVec::new();
+        let mut arguments = Arguments::new();
         while arguments.len() < wanted {
             if self.fill(false)? == TokenKind::Punct(')') {
                 let (name, given) = (self.names.word(called.name).clone(), arguments.len());
@@ -121,13 +120,13 @@ impl Evaluator<'_> {
                     .error(span, format!("the macro '{name}' takes {}, not {given}", arguments_in_words(wanted)));
             }
             let start = self.span();
-            let argument = self.argument()?;
-            if let Argument::Alias(place) = &argument
-                && place.with(|value| value.is_none())
-            {
-                return self.error(start, "this array element was never set");
-            }
-            arguments.push(argument);
+            arguments.push(match self.argument()? {
+                Argument::Alias(place) if place.with(|value| value.is_none()) => {
+                    return self.error(start, "this array element was never set");
+                }
+                Argument::Alias(place) => place,
+                Argument::Value(value) => self.scopes.place(value),
+            });
             if self.fill(false)? == TokenKind::Punct(',') {
                 self.take();
             }

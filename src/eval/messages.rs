@@ -1,9 +1,8 @@
 //! Errors and warnings with their place and the way there.
 
 use super::Evaluator;
-use super::standard_includes::{advice_on_texture, declared_in};
-use crate::diag::{Diagnostic, SourceResult, Span, Topic, completed, nearest};
-use crate::syntax::{Keyword, Symbol, Token, TokenKind};
+use crate::diag::{Diagnostic, SourceResult, Span, Topic};
+use crate::syntax::{Symbol, Token, TokenKind};
 
 #[allow(clippy::missing_errors_doc)]
 impl Evaluator<'_> {
@@ -69,29 +68,10 @@ impl Evaluator<'_> {
         }
     }
 
-    /// Where a name comes from, or "did you mean …?"
-    pub(super) fn near_name(&self, name: Symbol) -> Option<String> {
-        let word = self.names.word(name);
-        let lower = word.to_ascii_lowercase();
-        if lower != **word && Keyword::from_word(&lower).is_some() {
-            return Some(format!("did you mean '{lower}'? The words of the language are in lower case"));
-        }
-        if let Some(file) = declared_in(word) {
-            return Some(format!("it is declared in a standard file: #include \"{file}\""));
-        }
-        if let Some(advice) = advice_on_texture(word) {
-            return Some(advice);
-        }
-        let declared = self.scopes.names().map(|s| &**self.names.word(s));
-        let words = Keyword::ALL.iter().map(|k| k.word());
-        let beginning = completed(word, words.clone());
-        beginning.or_else(|| nearest(word, declared.chain(words))).map(|near| format!("did you mean '{near}'?"))
-    }
-
     /// An error for a name that is not declared.
     pub(super) fn undeclared<T>(&self, name: Symbol, span: Span) -> SourceResult<T> {
         let error = Diagnostic::error(span, format!("'{}' is not declared", self.names.word(name)));
-        Err(vec![self.with_trace(match self.near_name(name) {
+        Err(vec![self.with_trace(match self.near_name(name, span, true) {
             Some(advice) => error.hint(advice),
             None => error,
         })])

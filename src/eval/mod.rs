@@ -43,12 +43,14 @@ mod random;
 mod recovery;
 mod scope;
 mod standard_includes;
+mod statements;
 mod strings;
 mod tokens;
 mod transforms;
 mod value;
 mod vector_functions;
 mod vector_lists;
+mod walk;
 
 #[cfg(test)]
 mod formula_probes;
@@ -260,6 +262,7 @@ impl<'h> Evaluator<'h> {
 
     /// What holds for the scene as a whole once all of it is read.
     fn finish(&mut self) {
+        self.scene.settings.max_parts = self.options.limits.parts;
         if self.version_given {
             self.scene.settings.version = self.version;
         } else {

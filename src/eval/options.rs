@@ -1,6 +1,6 @@
 //! What a caller may choose.
 
-use crate::scene::IsosurfaceSearch;
+use crate::scene::{IsosurfaceSearch, Settings};
 use std::path::PathBuf;
 
 /// How to read a scene.
@@ -58,6 +58,8 @@ pub struct Limits {
     pub steps: u64,
     /// Objects that are written out, those within others included; copies of declared ones cost little.
     pub objects: usize,
+    /// Objects and parts of solids to build, with those copies that have to be written out.
+    pub parts: u64,
     /// Elements of an array.
     pub array_elements: usize,
     /// Bytes of a string.
@@ -66,8 +68,8 @@ pub struct Limits {
 
 impl Limits {
     /// Their names, as messages and the command line call them.
-    pub const NAMES: [&str; 7] =
-        ["include_depth", "macro_depth", "nesting", "steps", "objects", "array_elements", "string_bytes"];
+    pub const NAMES: [&str; 8] =
+        ["include_depth", "macro_depth", "nesting", "steps", "objects", "parts", "array_elements", "string_bytes"];
 
     /// Sets a limit by its name; false for a name that does not exist.
     pub fn set(&mut self, name: &str, value: u64) -> bool {
@@ -78,6 +80,7 @@ impl Limits {
             "nesting" => self.nesting = count,
             "steps" => self.steps = value,
             "objects" => self.objects = count,
+            "parts" => self.parts = value,
             "array_elements" => self.array_elements = count,
             "string_bytes" => self.string_bytes = count,
             _ => return false,
@@ -94,6 +97,7 @@ impl Default for Limits {
             nesting: 500,
             steps: 10_000_000,
             objects: 1_000_000,
+            parts: Settings::default().max_parts,
             array_elements: 20_000_000,
             string_bytes: 1 << 24,
         }

@@ -17,12 +17,20 @@ use std::rc::Rc;
 pub(super) type Slot = Rc<RefCell<Value>>;
 
 /// What a name, or a name with indices, refers to.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Place {
     /// The variable.
     pub slot: Slot,
     /// For an element: its flat index in each nested array, outermost first.
     pub path: SmallVec<[u32; 2]>,
+}
+
+impl Clone for Place {
+    #[inline]
+    fn clone(&self) -> Self {
+        let path = if self.path.is_empty() { SmallVec::new() } else { SmallVec::from_slice(&self.path) };
+        Self { slot: Rc::clone(&self.slot), path }
+    }
 }
 
 impl Place {
@@ -31,9 +39,28 @@ impl Place {
         Self { slot: Rc::new(RefCell::new(value)), path: SmallVec::new() }
     }
 
+    /// Whether it is a variable that holds a float or vector.
+    #[inline]
+    pub(super) fn holds_number(&self) -> bool {
+        self.path.is_empty() && matches!(&*self.slot.borrow(), Value::Float(_) | Value::Vector(_))
+    }
+
+    /// Its value, if it is a variable that holds a float.
+    #[inline]
+    pub(super) fn float(&self) -> Option<f64> {
+        match &*self.slot.borrow() {
+            Value::Float(f) if self.path.is_empty() => Some(*f),
+            _ => None,
+        }
+    }
+
     /// Looks at the value; `None` for an unset element.
+    #[inline]
     pub(super) fn with<T>(&self, look: impl FnOnce(Option<&Value>) -> T) -> T {
         let value = self.slot.borrow();
+        if self.path.is_empty() {
+            return look(Some(&value));
+        }
         let mut at = Some(&*value);
         for index in &self.path {
             at = match at {
@@ -47,6 +74,14 @@ impl Place {
     /// The value; `None` for an unset element.
     pub(super) fn get(&self) -> Option<Value> {
         self.with(|value| value.cloned())
+    }
+
+    /// The flat index of an element, if an array stands here.
+    pub(super) fn flat_index(&self, indices: &[f64]) -> Result<usize, String> {
+        self.with(|value| match value {
+            Some(Value::Array(array)) => array.flat_index(indices),
+            _ => Ok(0),
+        })
     }
 
     /// Stores a value, or unsets an element.
@@ -102,6 +137,8 @@ pub(super) struct Scopes {
     tables: Vec<Table>,
     /// Lists of names of closed tables, to be used again.
     spare: Vec<Vec<Symbol>>,
+    /// Variables of closed tables that nothing refers to, to be used again.
+    spare_slots: Vec<Slot>,
     opened: u64,
     /// Names declared `deprecated`: whether to warn only once, and the text.
     pub(super) deprecated: FxHashMap<Symbol, (bool, Rc<str>)>,
@@ -111,7 +148,14 @@ impl Default for Scopes {
     fn default() -> Self {
         let global = Table { id: 0, names: Vec::new() };
         let deprecated = FxHashMap::default();
-        Self { bindings: Vec::new(), tables: vec![global], spare: Vec::new(), opened: 0, deprecated }
+        Self {
+            bindings: Vec::new(),
+            tables: vec![global],
+            spare: Vec::new(),
+            spare_slots: Vec::new(),
+            opened: 0,
+            deprecated,
+        }
     }
 }
 
@@ -132,11 +176,37 @@ impl Scopes {
         let index = self.tables.len() as u32;
         for name in table.names.drain(..) {
             let bindings = &mut self.bindings[name.0 as usize];
-            if bindings.last().is_some_and(|b| b.table == index) {
-                bindings.pop();
+            if bindings.last().is_some_and(|b| b.table == index)
+                && let Some(closed) = bindings.pop()
+            {
+                Self::keep(&mut self.spare_slots, closed.place.slot);
             }
         }
         self.spare.push(table.names);
+    }
+
+    /// Keeps a variable for another name if nothing else refers to it.
+    fn keep(spare: &mut Vec<Slot>, mut slot: Slot) {
+        /// As many as the macros and files that are open at a time declare, more or less.
+        const MAX_SPARE: usize = 256;
+        if spare.len() < MAX_SPARE
+            && let Some(value) = Rc::get_mut(&mut slot)
+        {
+            *value.get_mut() = Value::Float(0.0);
+            spare.push(slot);
+        }
+    }
+
+    /// A new variable.
+    #[inline]
+    pub(super) fn place(&mut self, value: Value) -> Place {
+        match self.spare_slots.pop() {
+            Some(slot) => {
+                *slot.borrow_mut() = value;
+                Place { slot, path: SmallVec::new() }
+            }
+            None => Place::new(value),
+        }
     }
 
     /// The innermost table.
@@ -152,6 +222,12 @@ impl Scopes {
     #[inline]
     pub(super) fn find(&self, name: Symbol) -> Option<&Place> {
         self.bindings.get(name.0 as usize)?.last().map(|b| &b.place)
+    }
+
+    /// What the name stands for, if that is a variable that holds a float.
+    #[inline]
+    pub(super) fn float(&self, name: Symbol) -> Option<f64> {
+        self.find(name)?.float()
     }
 
     /// Whether the name stands for a macro.
@@ -177,6 +253,10 @@ impl Scopes {
             self.bindings.resize_with(index + 1, SmallVec::new);
         }
         let bindings = &mut self.bindings[index];
+        if bindings.last().is_none_or(|last| last.table < table.index) {
+            bindings.push(Binding { table: table.index, place });
+            return;
+        }
         let at = bindings.partition_point(|b| b.table < table.index);
         match bindings.get_mut(at) {
             Some(same) if same.table == table.index => same.place = place,

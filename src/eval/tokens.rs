@@ -25,6 +25,9 @@ impl Evaluator<'_> {
 
     fn fill_slowly(&mut self, hold: bool) -> SourceResult<TokenKind> {
         loop {
+            if !hold {
+                self.run_directives()?;
+            }
             let token = match self.ahead.take() {
                 Some(token) => token,
                 None => self.fetch()?,

@@ -6,7 +6,7 @@ use crate::math::{Color, DVec3, Transform};
 use crate::scene::{self, MapEntry};
 use crate::syntax::formula::MacroResult;
 use crate::syntax::{Position, Source, Symbol};
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -39,6 +39,7 @@ impl Number {
 
     /// At least `n` components: one is replicated, more are filled up with zeros.
     #[must_use]
+    #[inline]
     pub fn widened(mut self, n: u8) -> Self {
         if self.n < n {
             if self.n == 1 {
@@ -151,14 +152,34 @@ pub struct Array {
     pub dimensions: Vec<usize>,
     /// Elements, the last index running fastest.
     pub elements: Vec<Option<Value>>,
+    /// Where an element was set when last looked for.
+    set: Cell<usize>,
 }
 
 impl Array {
+    /// Of these sizes; the elements are theirs, or are still to come.
+    pub fn new(dimensions: Vec<usize>, elements: Vec<Option<Value>>) -> Self {
+        Self { dimensions, elements, set: Cell::new(0) }
+    }
+
     /// Any element that is set, looked for in nested arrays too: all are of one type.
+    #[inline]
     pub fn sample(&self) -> Option<&Value> {
-        match self.elements.iter().flatten().next()? {
+        match self.any()? {
             Value::Array(inner) => inner.sample(),
             value => Some(value),
+        }
+    }
+
+    /// Any element that is set.
+    #[inline]
+    pub fn any(&self) -> Option<&Value> {
+        match self.elements.get(self.set.get()) {
+            Some(Some(value)) => Some(value),
+            _ => {
+                self.set.set(self.elements.iter().position(Option::is_some)?);
+                self.elements[self.set.get()].as_ref()
+            }
         }
     }
 }

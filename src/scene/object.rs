@@ -1,6 +1,6 @@
 //! Objects: a shape, where it stands, what it looks like.
 
-use super::{Interior, Shape, Texture};
+use super::{CsgOperation, Interior, Shape, Texture};
 use crate::diag::Span;
 use crate::math::{Bounds, Transform};
 use std::sync::Arc;
@@ -126,6 +126,14 @@ pub struct PhotonFlags {
 }
 
 impl Object {
+    /// Whether it is a union that nothing holds together, so that its parts may stand alone.
+    pub fn splits(&self) -> bool {
+        matches!(self.shape, Shape::Csg { operation: CsgOperation::Union, .. })
+            && !self.flags.keep_union
+            && self.clipped_by.is_empty()
+            && self.bounded_by.is_empty()
+    }
+
     /// A bare shape in its own place.
     pub fn new(shape: Shape, span: Span) -> Self {
         Self {

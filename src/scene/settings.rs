@@ -11,6 +11,8 @@ use std::sync::Arc;
 pub struct Settings {
     /// Hundredths: 370 for 3.7; 362 for a scene that never says.
     pub version: u32,
+    /// Objects and parts of solids that may be built, copies counted as often as they have to be written out.
+    pub max_parts: u64,
     pub gamma: Gamma,
     pub ambient_light: Rgb,
     pub irid_wavelength: Rgb,
@@ -52,6 +54,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             version: 362,
+            max_parts: 2_000_000,
             gamma: Gamma::None,
             ambient_light: Rgb::ONE,
             irid_wavelength: Rgb::new(0.70, 0.52, 0.48),

@@ -23,6 +23,7 @@ mod dump;
 pub mod formula;
 mod keyword;
 mod lexer;
+mod memo;
 mod names;
 mod pieces;
 mod source;

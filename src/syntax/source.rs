@@ -1,7 +1,8 @@
 //! One file as tokens, made when they are needed and kept while they are useful.
 
-use super::formula::{self, Formula};
+use super::formula::{self, Formula, Statement};
 use super::lexer::tokenise;
+use super::memo::Memo;
 use super::pieces::{self, next_piece};
 use super::{Directive, Names, Symbol, Token, TokenKind};
 use crate::diag::FileId;
@@ -32,31 +33,21 @@ pub struct Source {
     parsed: RefCell<Parsed>,
 }
 
-/// The tokens of one piece of a file, and the formulas found among them.
+/// The tokens of one piece of a file, and what was found among them.
 #[derive(Debug)]
 pub struct Piece {
     /// The tokens.
     pub tokens: Box<[Token]>,
-    formulas: RefCell<Formulas>,
+    /// Without and with comparisons.
+    formulas: [RefCell<Memo<Formula>>; 2],
+    statements: RefCell<Memo<Statement>>,
 }
-
-#[derive(Debug, Default)]
-struct Formulas {
-    /// For each token, without and with comparisons: what is known of the expression there.
-    known: Vec<[u16; 2]>,
-    list: Vec<Rc<Formula>>,
-}
-
-/// Nothing is known of the expression yet.
-const UNSEEN: u16 = 0;
-/// It was met once.
-const SEEN: u16 = 1;
-/// It is no formula.
-const NONE: u16 = 2;
-/// Greater numbers count the formulas.
-const FIRST: u16 = 3;
 
 impl Piece {
+    fn new(tokens: Vec<Token>) -> Self {
+        Self { tokens: tokens.into(), formulas: Default::default(), statements: RefCell::default() }
+    }
+
     /// The formula that starts at a token, from the second time it is asked for; `is_macro` tells
     /// which names stand for macros.
     #[inline]
@@ -67,28 +58,19 @@ impl Piece {
         text: &[u8],
         is_macro: &dyn Fn(Symbol) -> bool,
     ) -> Option<Rc<Formula>> {
-        let formulas = &mut *self.formulas.borrow_mut();
-        if formulas.known.is_empty() {
-            formulas.known = vec![[UNSEEN; 2]; self.tokens.len()];
+        let find = || formula::parse(&self.tokens[start..], text, full, is_macro);
+        self.formulas[usize::from(full)].borrow_mut().at(start, self.tokens.len(), find)
+    }
+
+    /// The same for the statement that a directive begins.
+    #[inline]
+    pub fn statement(&self, start: usize, text: &[u8], is_macro: &dyn Fn(Symbol) -> bool) -> Option<Rc<Statement>> {
+        let TokenKind::Directive(directive) = self.tokens.get(start)?.kind else { return None };
+        if !Statement::may_begin_with(directive) {
+            return None;
         }
-        let known = &mut formulas.known.get_mut(start)?[usize::from(full)];
-        match *known {
-            UNSEEN => *known = SEEN,
-            SEEN => {
-                let parsed = formula::parse(&self.tokens[start..], text, full, is_macro);
-                *known = NONE;
-                if let (Some(parsed), Ok(index)) = (parsed, u16::try_from(formulas.list.len()))
-                    && index < u16::MAX - FIRST
-                {
-                    *known = FIRST + index;
-                    formulas.list.push(Rc::new(parsed));
-                    return formulas.list.last().cloned();
-                }
-            }
-            NONE => {}
-            number => return formulas.list.get(usize::from(number - FIRST)).cloned(),
-        }
-        None
+        let find = || Statement::parse(&self.tokens[start..], text, is_macro);
+        self.statements.borrow_mut().at(start, self.tokens.len(), find)
     }
 }
 
@@ -123,8 +105,7 @@ impl Source {
             parsed.pieces.push(next_piece(&self.text, start)?);
             parsed.tokens.push(None);
         }
-        let tokens = tokenise(self.file, &self.text, parsed.pieces[index], names).into();
-        let tokens = Rc::new(Piece { tokens, formulas: RefCell::default() });
+        let tokens = Rc::new(Piece::new(tokenise(self.file, &self.text, parsed.pieces[index], names)));
         parsed.tokens[index] = Some(Rc::clone(&tokens));
         parsed.kept.push_back(index);
         if parsed.kept.len() > KEPT_PIECES

@@ -3,7 +3,7 @@
 //! Unions that nothing holds together are split; contents used more than once become shared
 //! groups; everything else is written out in its group's space.
 
-use super::census::Census;
+use super::census::{Census, Entry};
 use super::labels::Labeler;
 use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
@@ -20,6 +20,12 @@ use std::sync::Arc;
 
 /// Contents lighter than this are cheaper to copy than to reach through an instance.
 const SHARED_WEIGHT: u64 = 6;
+
+/// Whether contents used more than once can be built once, as far as the object that holds them decides.
+pub(super) fn can_be_shared(facts: Entry, object: &Object, splits: bool) -> bool {
+    let plain = splits || (object.clipped_by.is_empty() && object.bounded_by.is_empty());
+    facts.uses > 1 && facts.weight >= SHARED_WEIGHT && !facts.light_groups && plain
+}
 
 /// A shared group, once it is built.
 #[derive(Clone, Copy)]
@@ -129,14 +135,9 @@ impl<'a> Builder<'a> {
                     self.place_frame(child, &inside, split, items);
                 }
             }
-            Shape::Csg { operation, children } => {
+            Shape::Csg { children, .. } => {
                 let inside = self.enter(object, around);
-                let splits = split
-                    && *operation == CsgOperation::Union
-                    && !inside.inverse
-                    && !object.flags.keep_union
-                    && object.clipped_by.is_empty()
-                    && object.bounded_by.is_empty();
+                let splits = split && object.splits() && !inside.inverse;
                 if self.place_shared(object, children, &inside, splits, items, height) {
                     return;
                 }
@@ -191,9 +192,7 @@ impl<'a> Builder<'a> {
         items: &mut Items,
         height: &mut usize,
     ) -> bool {
-        let facts = self.census.of(children);
-        let plain = splits || (object.clipped_by.is_empty() && object.bounded_by.is_empty() && !inside.inverse);
-        if facts.uses < 2 || facts.weight < SHARED_WEIGHT || facts.light_groups || inside.cutaway || !plain {
+        if !can_be_shared(self.census.of(children), object, splits) || inside.cutaway || !splits && inside.inverse {
             return false;
         }
         let Shape::Csg { operation, .. } = &object.shape else { return false };

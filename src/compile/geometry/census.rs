@@ -15,8 +15,8 @@ pub(super) struct Entry {
     pub(super) uses: u32,
     /// Primitives in it, copies counted each time.
     pub(super) weight: u64,
-    /// Holds a light source.
-    pub(super) lights: bool,
+    /// Light sources in it, copies counted each time.
+    pub(super) lights: u64,
     /// Holds a light group, whose members cannot be shared.
     pub(super) light_groups: bool,
     /// Something in it has a texture.
@@ -27,6 +27,8 @@ pub(super) struct Entry {
 #[derive(Debug, Default)]
 pub(super) struct Census {
     entries: FxHashMap<*const Arc<Object>, Entry>,
+    /// Objects that stand in no list of children, by address.
+    counted: FxHashMap<*const Object, Entry>,
     pub(super) errors: Vec<Diagnostic>,
 }
 
@@ -40,18 +42,28 @@ impl Census {
             return Entry::default();
         }
         for other in object.clipped_by.iter().chain(&object.bounded_by) {
-            self.count(other, depth + 1);
+            self.count_once(other, depth + 1);
         }
         let mut entry = match &object.shape {
             Shape::Csg { children, .. } => self.count_children(children, depth),
             Shape::LightGroup { children, .. } => Entry { light_groups: true, ..self.count_children(children, depth) },
             Shape::LightSource(light) => {
-                let looks = light.looks_like.as_ref().map(|o| self.count(o, depth + 1)).unwrap_or_default();
-                Entry { lights: true, ..looks }
+                let looks = light.looks_like.as_ref().map(|o| self.count_once(o, depth + 1)).unwrap_or_default();
+                Entry { lights: 1, ..looks }
             }
             _ => Entry { weight: 1, ..Entry::default() },
         };
         entry.textured |= object.texture.is_some();
+        entry
+    }
+
+    /// An object that many may refer to.
+    fn count_once(&mut self, object: &Arc<Object>, depth: usize) -> Entry {
+        if let Some(known) = self.counted.get(&Arc::as_ptr(object)) {
+            return *known;
+        }
+        let entry = self.count(object, depth);
+        self.counted.insert(Arc::as_ptr(object), entry);
         entry
     }
 
@@ -65,7 +77,7 @@ impl Census {
         for child in children.iter() {
             let one = self.count(child, depth + 1);
             sum.weight = sum.weight.saturating_add(one.weight);
-            sum.lights |= one.lights;
+            sum.lights = sum.lights.saturating_add(one.lights);
             sum.light_groups |= one.light_groups;
             sum.textured |= one.textured;
         }

@@ -9,6 +9,7 @@ use super::text::glyph_boxes;
 use crate::compiled::geometry::Shape as Compiled;
 use crate::math::{Bounds, DVec2, DVec3, Transform};
 use crate::scene::{Blob, CsgOperation, Object, Shape, SweepSpline};
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// A box longer than this counts as infinite.
@@ -22,14 +23,33 @@ const SUPERELLIPSOID: f64 = 1.0001;
 
 /// The box of an object in the space around it.
 pub(crate) fn extent(object: &Object) -> Bounds {
+    extent_with(object, &mut Known::default())
+}
+
+/// Boxes of objects that many others may refer to, by address.
+type Known = FxHashMap<*const Object, Bounds>;
+
+fn shared_extent(object: &Arc<Object>, known: &mut Known) -> Bounds {
+    if let Some(extent) = known.get(&Arc::as_ptr(object)) {
+        return *extent;
+    }
+    let extent = extent_with(object, known);
+    known.insert(Arc::as_ptr(object), extent);
+    extent
+}
+
+fn extent_with(object: &Object, known: &mut Known) -> Bounds {
     let own = match &object.shape {
-        Shape::Csg { operation, children } => moved(&combined(*operation, children), &object.place.transform()),
+        Shape::Csg { operation, children } => moved(&combined(*operation, children, known), &object.place.transform()),
+        Shape::LightGroup { children, .. } => {
+            children.iter().fold(Bounds::EMPTY, |sum, child| sum.union(&shared_extent(child, known)))
+        }
         shape => leaf(shape, &object.place.transform(), object),
     };
     let own = single(&own);
     [&object.bounded_by, &object.clipped_by].into_iter().fold(own, |own, limits| {
         let limits = limits.iter().filter(|o| !o.flags.inverse);
-        let common = limits.fold(Bounds::INFINITE, |sum, o| sum.intersection(&as_limit(o, false)));
+        let common = limits.fold(Bounds::INFINITE, |sum, o| sum.intersection(&as_limit(o, false, known)));
         if volume(&common) < volume(&own) { single(&common) } else { own }
     })
 }
@@ -41,7 +61,8 @@ pub(super) fn shrunken(object: &Object) -> Option<Bounds> {
         return None;
     }
     let limits = object.bounded_by.iter().filter(|o| !o.flags.inverse);
-    let common = limits.fold(Bounds::INFINITE, |sum, o| sum.intersection(&as_limit(o, false)));
+    let known = &mut Known::default();
+    let common = limits.fold(Bounds::INFINITE, |sum, o| sum.intersection(&as_limit(o, false, known)));
     let own = single(&leaf(&object.shape, &object.place.transform(), object));
     (volume(&common) < volume(&own)).then_some(common)
 }
@@ -65,13 +86,14 @@ fn moved(local: &Bounds, place: &Transform) -> Bounds {
     if place.is_identity() { *local } else { place.bounds(local) }
 }
 
-fn combined(operation: CsgOperation, children: &[Arc<Object>]) -> Bounds {
-    let boxes = children.iter().map(|child| extent(child));
+fn combined(operation: CsgOperation, children: &[Arc<Object>], known: &mut Known) -> Bounds {
     let common = match operation {
-        CsgOperation::Union | CsgOperation::Merge => boxes.fold(Bounds::EMPTY, |sum, b| sum.union(&b)),
+        CsgOperation::Union | CsgOperation::Merge => {
+            children.iter().fold(Bounds::EMPTY, |sum, child| sum.union(&shared_extent(child, known)))
+        }
         CsgOperation::Intersection | CsgOperation::Difference => {
             let cut = |i: usize| operation == CsgOperation::Difference && i > 0;
-            let limits = children.iter().enumerate().map(|(i, child)| as_limit(child, cut(i)));
+            let limits = children.iter().enumerate().map(|(i, child)| as_limit(child, cut(i), known));
             limits.fold(Bounds::INFINITE, |sum, b| sum.intersection(&b))
         }
     };
@@ -80,14 +102,14 @@ fn combined(operation: CsgOperation, children: &[Arc<Object>]) -> Bounds {
 
 /// What an object leaves of an intersection's box: its own, or half of space for a plane along the
 /// axes. Nothing is known of what is inverted; a plane absorbs that.
-fn as_limit(object: &Object, cut: bool) -> Bounds {
+fn as_limit(object: &Arc<Object>, cut: bool, known: &mut Known) -> Bounds {
     let mut inverse = object.flags.inverse != cut;
     if matches!(object.shape, Shape::Plane { .. }) && object.clipped_by.is_empty() {
         let folded = fold(&object.shape, object.place.transform(), &mut inverse);
         let Some(Compiled::Plane(plane)) = folded.map(|f| f.shape) else { return Bounds::INFINITE };
         return half_space(plane.normal, plane.distance);
     }
-    if inverse { Bounds::INFINITE } else { extent(object) }
+    if inverse { Bounds::INFINITE } else { shared_extent(object, known) }
 }
 
 fn half_space(normal: DVec3, distance: f64) -> Bounds {

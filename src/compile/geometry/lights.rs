@@ -26,7 +26,7 @@ pub(super) fn collect_lights(
             out.lights.push(PlacedLight { light, group });
         }
         // Only direct members belong to a group: in a union inside it they are global.
-        Shape::Csg { children, .. } if census.of(children).lights || census.of(children).light_groups => {
+        Shape::Csg { children, .. } if census.of(children).lights > 0 || census.of(children).light_groups => {
             for child in children.iter() {
                 collect_lights(child, &world_from_shape, None, census, out);
             }

@@ -2,6 +2,7 @@
 
 mod builder;
 mod census;
+mod copies;
 mod extent;
 mod freeform;
 mod height_field;
@@ -15,12 +16,6 @@ mod quadric_reach;
 mod sweep;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod tests_freeform;
-#[cfg(test)]
-mod tests_implicit;
-#[cfg(test)]
-mod tests_properties;
 mod text;
 mod watch;
 
@@ -28,9 +23,10 @@ use crate::compiled::Labels;
 use crate::compiled::geometry::{Geometry, Group, LightGroupId};
 use crate::diag::{Diagnostic, SourceResult};
 use crate::math::Transform;
-use crate::scene::{Interior, LightSource, Object, Scene, Texture};
+use crate::scene::{Interior, LightSource, Object, Scene, Settings, Texture};
 use builder::Builder;
 use census::Census;
+use copies::Copies;
 use lights::collect_lights;
 use std::sync::Arc;
 
@@ -86,7 +82,7 @@ pub fn compile(scene: &Scene) -> SourceResult<CompiledGeometry> {
     let fallback = Arc::new(Texture::default());
     let default_of = |i: usize| scene.default_textures.get(i).unwrap_or(&fallback);
     let objects: Vec<_> = scene.objects.iter().enumerate().map(|(i, o)| (o, default_of(i))).collect();
-    build(&objects, true)
+    build(&objects, true, scene.settings.max_parts)
 }
 
 /// Compiles one object by itself, for `trace`, `inside`, object patterns and `projected_through`.
@@ -94,17 +90,26 @@ pub fn compile(scene: &Scene) -> SourceResult<CompiledGeometry> {
 /// # Errors
 /// As [`compile`].
 pub fn compile_object(object: &Arc<Object>) -> SourceResult<Geometry> {
-    Ok(build(&[(object, &Arc::default())], false)?.geometry)
+    Ok(build(&[(object, &Arc::default())], false, Settings::default().max_parts)?.geometry)
 }
 
 /// All passes in order.
-fn build(objects: &[(&Arc<Object>, &Arc<Texture>)], split: bool) -> SourceResult<CompiledGeometry> {
+fn build(objects: &[(&Arc<Object>, &Arc<Texture>)], split: bool, max_parts: u64) -> SourceResult<CompiledGeometry> {
     let mut census = Census::default();
     for (object, _) in objects {
         census.count(object, 0);
     }
     if !census.errors.is_empty() {
         return Err(census.errors);
+    }
+    let (mut copies, mut n_parts) = (Copies::new(&census), 0_u64);
+    for (object, _) in objects {
+        n_parts = n_parts.saturating_add(copies.count(object, split));
+        if n_parts > max_parts {
+            let message = format!("with all its copies this makes more than {max_parts} objects");
+            let advice = "copy less often what was copied before; if that is meant, raise it with --limit parts=N";
+            return Err(vec![Diagnostic::error(object.span, message).hint(advice)]);
+        }
     }
     let mut out = CompiledGeometry::default();
     for (object, _) in objects {

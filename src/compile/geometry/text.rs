@@ -3,7 +3,8 @@
 use crate::compiled::geometry::{Outline, Prism, Segment, Shape as Compiled};
 use crate::math::{Bounds, DVec2, DVec3, Transform};
 use crate::scene::Text;
-use ttf_parser::{Face, GlyphId, OutlineBuilder, kern::Format};
+use ttf_parser::cmap::{Format as Characters, Subtable};
+use ttf_parser::{Face, GlyphId, OutlineBuilder, PlatformId, kern::Format};
 
 /// Collects the curves of one glyph, in ems.
 struct Pen {
@@ -54,9 +55,26 @@ impl OutlineBuilder for Pen {
     }
 }
 
+/// Where POV-Ray 3.7 looks for a character: of the first of these platforms that the font has a table for,
+/// the first table (shape facts, section 8).
+fn character_map<'a>(face: &Face<'a>, unicode: bool) -> Option<Subtable<'a>> {
+    use PlatformId::{Macintosh, Unicode, Windows};
+    let order = if unicode { [Unicode, Windows, Macintosh] } else { [Macintosh, Windows, Unicode] };
+    let tables = face.tables().cmap?.subtables;
+    let usable = |t: &Subtable<'_>| {
+        matches!(
+            t.format,
+            Characters::ByteEncodingTable(_)
+                | Characters::SegmentMappingToDeltaValues(_)
+                | Characters::TrimmedTableMapping(_)
+        )
+    };
+    order.into_iter().find_map(|platform| tables.into_iter().find(|t| t.platform_id == platform && usable(t)))
+}
+
 /// The glyph of a character code.
-fn glyph_of(face: &Face<'_>, code: u16) -> GlyphId {
-    let find = |c: u32| char::from_u32(c).and_then(|c| face.glyph_index(c));
+fn glyph_of(map: Option<&Subtable<'_>>, code: u16) -> GlyphId {
+    let find = |c: u32| map.and_then(|map| map.glyph_index(c)).filter(|glyph| glyph.0 > 0);
     // Symbol fonts keep their characters in a private range.
     find(u32::from(code)).or_else(|| find(0xF000 + u32::from(code))).unwrap_or(GlyphId(0))
 }
@@ -80,8 +98,9 @@ fn layout(text: &Text, face: &Face<'_>) -> Vec<(GlyphId, DVec2)> {
     let mut placed = Vec::new();
     let mut pen = DVec2::ZERO;
     let mut previous = None;
+    let map = character_map(face, text.unicode);
     for code in &text.characters {
-        let glyph = glyph_of(face, *code);
+        let glyph = glyph_of(map.as_ref(), *code);
         let x_min = face.glyph_bounding_box(glyph).map_or(0.0, |b| f64::from(b.x_min));
         let bearing = f64::from(face.glyph_hor_side_bearing(glyph).unwrap_or(0));
         let advance = f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));

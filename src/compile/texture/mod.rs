@@ -25,12 +25,33 @@ pub struct TextureCompiler<'s> {
     pictures: PictureCache,
     /// Sources of ripples and waves, made when first asked for.
     waves: Option<Arc<WaveSources>>,
+    /// How deep in a texture it is, and how many parts that has so far.
+    depth: usize,
+    n_parts: usize,
 }
+
+/// Most pigments, normals and textures inside one another, copies counted each time.
+const MAX_PARTS: usize = 200_000;
 
 impl<'s> TextureCompiler<'s> {
     /// For a scene with these settings.
     pub fn new(settings: &'s Settings) -> Self {
-        Self { settings, pictures: PictureCache::default(), waves: None }
+        Self { settings, pictures: PictureCache::default(), waves: None, depth: 0, n_parts: 0 }
+    }
+
+    /// Makes a part of a texture, if that has not too many already.
+    fn part<T>(&mut self, make: impl FnOnce(&mut Self) -> Result<T, Refusal>) -> Result<T, Refusal> {
+        if self.depth == 0 {
+            self.n_parts = 0;
+        }
+        self.n_parts += 1;
+        if self.n_parts > MAX_PARTS {
+            return Err(format!("more than {MAX_PARTS} pigments, normals and textures inside one another"));
+        }
+        self.depth += 1;
+        let made = make(self);
+        self.depth -= 1;
+        made
     }
 
     /// Compiles a texture with everything below it.
@@ -38,6 +59,10 @@ impl<'s> TextureCompiler<'s> {
     /// # Errors
     /// A message that names what is unsupported or which file cannot be read.
     pub fn texture(&mut self, texture: &scene::Texture) -> Result<Texture, Refusal> {
+        self.part(|compiler| compiler.whole_texture(texture))
+    }
+
+    fn whole_texture(&mut self, texture: &scene::Texture) -> Result<Texture, Refusal> {
         Ok(match texture {
             scene::Texture::Layers(layers) => {
                 Texture::Layers(layers.iter().map(|l| self.layer(l)).collect::<Result<_, _>>()?)
@@ -72,6 +97,10 @@ impl<'s> TextureCompiler<'s> {
     /// # Errors
     /// As [`texture`](Self::texture).
     pub fn pigment(&mut self, pigment: &scene::Pigment) -> Result<Pigment, Refusal> {
+        self.part(|compiler| compiler.whole_pigment(pigment))
+    }
+
+    fn whole_pigment(&mut self, pigment: &scene::Pigment) -> Result<Pigment, Refusal> {
         let compiled = match &pigment.kind {
             PigmentKind::Solid(color) => Pigment::Solid(*color),
             PigmentKind::Colors(pattern, colors) => {

@@ -12,6 +12,10 @@ impl TextureCompiler<'_> {
     /// # Errors
     /// As [`texture`](Self::texture).
     pub fn normal(&mut self, normal: &scene::Normal) -> Result<Normal, Refusal> {
+        self.part(|compiler| compiler.whole_normal(normal))
+    }
+
+    fn whole_normal(&mut self, normal: &scene::Normal) -> Result<Normal, Refusal> {
         let (kind, linear) = match &normal.kind {
             scene::NormalKind::Pattern(pattern, slopes) => {
                 let pattern = self.pattern(pattern)?;

@@ -2,6 +2,7 @@
 
 use super::pattern::mapping_of;
 use super::{Refusal, TextureCompiler};
+use crate::compile::picture::{decoder_name, stored_level};
 use crate::compiled::texture::{ImageMap, Raster};
 use crate::imaging::{self, Pixels};
 use crate::math::{Color, Rgb};
@@ -58,20 +59,8 @@ impl TextureCompiler<'_> {
         if let Some(pixels) = self.pictures.files.get(path) {
             return Ok(Arc::clone(pixels));
         }
-        let kind = match format {
-            ImageFormat::Png => "png",
-            ImageFormat::Gif => "gif",
-            ImageFormat::Tga => "tga",
-            ImageFormat::Bmp => "bmp",
-            ImageFormat::Pnm => "pnm",
-            ImageFormat::Jpeg => "jpeg",
-            ImageFormat::Tiff => "tiff",
-            ImageFormat::Exr => "exr",
-            ImageFormat::Hdr => "hdr",
-            ImageFormat::Iff | ImageFormat::Pot => {
-                return Err(format!("{}: pictures of this type cannot be read", path.display()));
-            }
-        };
+        let readable = decoder_name(format).filter(|_| format != ImageFormat::Pot);
+        let kind = readable.ok_or_else(|| format!("{}: pictures of this type cannot be read", path.display()))?;
         let pixels = Arc::new(imaging::decode(path, kind).map_err(|e| e.to_string())?);
         self.pictures.files.insert(path.to_owned(), Arc::clone(&pixels));
         Ok(pixels)
@@ -168,7 +157,7 @@ fn to_raster(pixels: &Pixels, curve: &Curve, premultiplied: Option<bool>) -> Ras
 ///
 /// Source: section 8.2 of the function facts; a picture one pixel wide is sampled at 0 / 0, as in POV-Ray.
 fn sampled(width: u32, height: u32, function: &crate::function::Function) -> Raster {
-    let quantise = |v: f64| ((f64::from(v as f32) * 65535.0).trunc().rem_euclid(65536.0) / 65535.0) as f32;
+    let quantise = |v: f64| (stored_level(v) / 65535.0) as f32;
     let scalar = function.width() == 1;
     let pixel = |x: u32, y: u32| {
         let at = [f64::from(x) / (f64::from(width) - 1.0), f64::from(y) / (f64::from(height) - 1.0), 0.0];

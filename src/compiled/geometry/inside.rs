@@ -3,7 +3,6 @@
 use super::Geometry;
 use super::graph::{Group, Item, ItemKind};
 use super::record::{InteriorKey, ObjectId, Path};
-use super::shape::Primitive as _;
 use crate::math::{DVec3, Range, Ray};
 use std::ops::ControlFlow;
 
@@ -44,8 +43,7 @@ impl Geometry {
         found: &mut impl FnMut(&Self, &Item, &Path) -> bool,
     ) -> bool {
         let inside = match &item.kind {
-            ItemKind::Sphere(sphere, _) => sphere.contains(point) != self.is_inverse(item),
-            ItemKind::Primitive(p) => self.primitive_contains(*p, point),
+            ItemKind::Sphere(_, p) | ItemKind::Primitive(p) => self.primitive_contains(*p, point),
             ItemKind::Solid(root) => self.node_contains(*root, point),
             ItemKind::Instance(i) => {
                 let instance = &self.instances[*i as usize];
@@ -57,10 +55,6 @@ impl Geometry {
             }
         };
         !inside || found(self, item, path)
-    }
-
-    fn is_inverse(&self, item: &Item) -> bool {
-        matches!(item.kind, ItemKind::Sphere(_, p) if self.primitives[p as usize].inverse)
     }
 
     /// The interior of a frame-level object, with its place in file order.

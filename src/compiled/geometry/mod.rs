@@ -72,7 +72,7 @@ impl Geometry {
             scratch.blockers.resize(light + 1, None);
         }
         let last = scratch.blockers[light];
-        let mut walk = Walk::new(self, range, RayKind::Shadow, scratch, true);
+        let mut walk = Walk::new(self, ray, range, RayKind::Shadow, scratch, true);
         if last.is_some_and(|item| walk.item(&item, ray).is_break()) {
             return true;
         }
@@ -85,7 +85,7 @@ impl Geometry {
     }
 
     fn walk(&self, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch) -> Option<Hit> {
-        let mut walk = Walk::new(self, range, kind, scratch, false);
+        let mut walk = Walk::new(self, ray, range, kind, scratch, false);
         // Breaking off only says that the first hit was enough.
         let _: std::ops::ControlFlow<()> = walk.group(&self.root, ray);
         walk.best

@@ -185,7 +185,7 @@ impl Geometry {
     pub(super) fn primitive_contains(&self, index: u32, point: DVec3) -> bool {
         let primitive = &self.primitives[index as usize];
         let local = primitive.group_from_local.as_ref().map_or(point, |place| place.inverse_point(point));
-        primitive.shape.contains(local) != primitive.inverse
+        if primitive.inverse { primitive.shape.excludes(local) } else { primitive.shape.contains(local) }
     }
 }
 

@@ -18,21 +18,44 @@ pub(super) struct Walk<'a> {
     pub(super) best: Option<Hit>,
     /// Instances that the ray is in.
     pub(super) path: Path,
+    /// The ray in world space.
+    ray: Ray,
     /// Any hit ends the search.
     pub(super) any: bool,
     /// The item of the outermost group that ended it.
     pub(super) blocker: Option<Item>,
+    /// What the nearest hit so far belongs to.
+    winner: Owner,
+}
+
+/// What POV-Ray has as one object: a primitive by itself or a solid, by index.
+#[derive(Clone, Copy, Debug)]
+enum Owner {
+    Primitive(u32),
+    Solid(u32),
 }
 
 impl<'a> Walk<'a> {
     pub(super) fn new(
         geometry: &'a Geometry,
+        ray: &Ray,
         range: Range,
         kind: RayKind,
         scratch: &'a mut Scratch,
         any: bool,
     ) -> Self {
-        Self { geometry, kind, scratch, range, best: None, path: Path::default(), any, blocker: None }
+        Self {
+            geometry,
+            kind,
+            scratch,
+            range,
+            best: None,
+            path: Path::default(),
+            ray: *ray,
+            any,
+            blocker: None,
+            winner: Owner::Primitive(0),
+        }
     }
 
     /// Goes through a group; `ray` is in the group's space. Breaks when any hit will do and there is one.
@@ -67,13 +90,13 @@ impl<'a> Walk<'a> {
         match &item.kind {
             ItemKind::Sphere(sphere, primitive) => {
                 if let Some(hit) = sphere.intersect(ray, self.range) {
-                    return self.record(hit.t, *primitive, hit.part);
+                    return self.record(hit.t, *primitive, hit.part, Owner::Primitive(*primitive));
                 }
             }
             ItemKind::Primitive(index) => return self.primitive(*index, ray),
             ItemKind::Solid(root) => {
                 if let Some(c) = self.geometry.solid_nearest(*root, ray, self.range, self.kind, self.scratch) {
-                    return self.record(c.t, c.primitive, c.part);
+                    return self.record(c.t, c.primitive, c.part, Owner::Solid(*root));
                 }
             }
             ItemKind::Instance(index) => {
@@ -101,18 +124,52 @@ impl<'a> Walk<'a> {
         };
         if self.any {
             if primitive.shape.occluded(ray, self.range) {
-                return self.record(self.range.max, index, 0);
+                return self.record(self.range.max, index, 0, Owner::Primitive(index));
             }
         } else if let Some(hit) = primitive.shape.intersect(ray, self.range) {
-            return self.record(hit.t, index, hit.part);
+            return self.record(hit.t, index, hit.part, Owner::Primitive(index));
         }
         ControlFlow::Continue(())
     }
 
-    /// Notes a hit inside the range.
-    fn record(&mut self, t: f64, primitive: u32, part: u32) -> ControlFlow<()> {
+    /// Notes a hit inside the range, which reaches to what is as near as the nearest so far.
+    fn record(&mut self, t: f64, primitive: u32, part: u32, owner: Owner) -> ControlFlow<()> {
+        let as_near = |best: &Hit| t >= best.t && !self.any;
+        if self.best.as_ref().is_some_and(|best| as_near(best) && !self.precedes(owner, primitive, best)) {
+            return ControlFlow::Continue(());
+        }
         self.best = Some(Hit { t, primitive, part, path: self.path });
-        self.range.max = t;
+        self.winner = owner;
+        self.range.max = t.next_up();
         if self.any { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// Whether the owner of one of two equally near hits comes first, as in POV-Ray (shape facts, section 13):
+    /// what is infinite before what is not, then the object whose box the ray enters first, then by the file.
+    #[cold]
+    fn precedes(&self, owner: Owner, primitive: u32, best: &Hit) -> bool {
+        let (new, old) = (self.entry(owner, &self.path), self.entry(self.winner, &best.path));
+        let by_file = (primitive, self.path.steps()) < (best.primitive, best.path.steps());
+        new < old || (new == old && by_file)
+    }
+
+    /// The parameter at which the ray enters the box of an object.
+    fn entry(&self, owner: Owner, path: &Path) -> f64 {
+        let local = match owner {
+            Owner::Primitive(i) => self.geometry.primitives[i as usize].bounds(),
+            Owner::Solid(i) => self.geometry.nodes[i as usize].bounds,
+        };
+        if !local.is_finite() {
+            return f64::NEG_INFINITY;
+        }
+        let outward = path.steps().iter().rev().map(|i| &self.geometry.instances[*i as usize].parent_from_group);
+        let world = outward.fold(local, |bounds, place| place.bounds(&bounds));
+        let (o, d) = (self.ray.origin, self.ray.direction);
+        let slab = |axis: usize| {
+            let near = if d[axis] < 0.0 { world.max } else { world.min };
+            // NaN, of a ray within a side of the box, says nothing.
+            (near[axis] - o[axis]) / d[axis]
+        };
+        [0, 1, 2].map(slab).into_iter().fold(0.0, f64::max)
     }
 }

@@ -5,6 +5,7 @@ use crate::eval::Evaluator;
 use crate::math::{DVec2, DVec3};
 use crate::scene::{CsgOperation, Object, Shape, SmoothTriangle, SweepSpline};
 use crate::syntax::Keyword as K;
+use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
 /// POV-Ray's highest order of a polynomial.
@@ -271,11 +272,18 @@ fn coefficient_index(order: u32, [i, j, k]: [i64; 3]) -> usize {
 impl Shape {
     /// Whether the shape has no inside.
     pub fn is_patch(&self) -> bool {
+        self.is_patch_beside(&mut FxHashSet::default())
+    }
+
+    /// The same; lists of children that were met need no second look, however often they are used.
+    fn is_patch_beside(&self, met: &mut FxHashSet<*const Arc<Object>>) -> bool {
         match self {
             Self::Triangle { .. } | Self::SmoothTriangle(_) | Self::BicubicPatch(_) | Self::Parametric(_) => true,
             Self::Mesh(mesh) => mesh.inside_vector.is_none(),
             Self::LightSource(_) => true,
-            Self::Csg { children, .. } => children.iter().any(|child: &Arc<Object>| child.shape.is_patch()),
+            Self::Csg { children, .. } => {
+                met.insert(children.as_ptr()) && children.iter().any(|child| child.shape.is_patch_beside(met))
+            }
             _ => false,
         }
     }

@@ -17,6 +17,9 @@ pub struct Material {
     pub interior: Option<Arc<Interior>>,
 }
 
+/// Most layers of a texture: far more than light gets through.
+const MAX_LAYERS: usize = 10_000;
+
 impl Evaluator<'_> {
     /// `{ … }` after `texture`.
     pub(super) fn texture_block(&mut self) -> SourceResult<Arc<Texture>> {
@@ -255,6 +258,9 @@ impl Evaluator<'_> {
         span: crate::diag::Span,
     ) -> SourceResult<Arc<Texture>> {
         match (Arc::unwrap_or_clone(below), Arc::unwrap_or_clone(top)) {
+            (Texture::Layers(layers), Texture::Layers(more)) if layers.len() + more.len() > MAX_LAYERS => {
+                self.error(span, format!("a texture of more than {MAX_LAYERS} layers"))
+            }
             (Texture::Layers(mut layers), Texture::Layers(more)) => {
                 layers.extend(more);
                 Ok(Arc::new(Texture::Layers(layers)))

@@ -35,7 +35,7 @@ pub fn result_of(
     }
     let (closed, numeric) = match formula.nodes.last()? {
         Node::Binary(..) | Node::Choice(..) => (false, true),
-        Node::Name(name) => (true, numbers.contains(name)),
+        Node::Name(name) => (true, numbers.contains(&formula.name(*name))),
         Node::Element(..) | Node::Macro(_) => (true, false),
         _ => (true, true),
     };

@@ -3,59 +3,94 @@
 //! An expression inside a loop or a macro is read again and again. Where its tokens form
 //! a complete expression in one piece of text (no directive cuts through it), it is
 //! parsed into a tree the second time it is met, and from then on walked. Names keep their
-//! run-time meaning: [`Formula::demands`] lists what must hold for the tree to be the right
+//! run-time meaning: [`Formula::operands`] lists what must hold for the tree to be the right
 //! reading, and where it does not (a name is an object, say) the tokens are read instead.
 //!
-//! A macro that ends in such an expression ([`result_of`]) can be called from within a tree.
+//! So does a [`Statement`] around such expressions. A macro that ends in one ([`result_of`]) can be called
+//! from within a tree.
 
 mod body;
 mod parser;
+mod statement;
 
 pub use body::{MacroResult, result_of};
 pub use parser::parse;
+pub use statement::{Action, Part, Scope, Statement};
 
 use super::{Keyword, Symbol};
 
 /// Index of a node.
 pub type NodeId = u16;
 
+/// Most floats that wait for an operation.
+pub const MAX_STACK: usize = 16;
+
+/// Most variables of a formula that is called plain.
+pub const MAX_PLAIN: usize = 8;
+
 /// An expression as a tree; children come before their parents.
+///
+/// So the nodes of a tree of floats, one after the other, are also a program for a stack of at most [`MAX_STACK`]
+/// floats: each takes its operands from the top and leaves its value there.
 #[derive(Clone, Debug, Default)]
 pub struct Formula {
     /// The nodes; the last one is the root.
     pub nodes: Vec<Node>,
+    /// For each node the first one that belongs to it.
+    pub first: Vec<NodeId>,
     /// Operands of calls, vectors and indices.
     pub lists: Vec<NodeId>,
-    /// What the names in it must stand for.
-    pub demands: Vec<(Symbol, Demand)>,
+    /// The names in it, and what they must stand for.
+    pub operands: Vec<Operand>,
     /// The macros that are called in it.
     pub calls: Vec<MacroCall>,
     /// How many tokens it takes up.
     pub length: usize,
     /// Whether the token behind it might expand into more of it: a name or a directive.
     pub open_ended: bool,
-    /// Whether the result is a float when all names that [`Demand::Number`] lists are floats.
+    /// Whether the result is a float when all names of [`Demand::Number`] are floats.
     pub scalar: bool,
+    /// Whether it has no more than [`MAX_PLAIN`] variables, which nothing in it changes and which may all be floats.
+    pub plain: bool,
 }
 
-/// What a name must stand for.
+/// A name, and what it must stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Operand {
+    /// The name.
+    pub name: Symbol,
+    /// How many indices stand behind it; it is an array of as many dimensions then, and its elements are what is asked.
+    pub n_indices: u8,
+    /// What is asked of it.
+    pub demand: Demand,
+}
+
+impl Operand {
+    /// Whether it can be a variable that holds a float.
+    fn takes_float(&self) -> bool {
+        self.n_indices == 0 && self.demand <= Demand::Component(0)
+    }
+}
+
+/// What a name or element must stand for. Of the first four each asks for more than the one before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Demand {
-    /// A float.
-    Float,
-    /// A float or a vector, of which the width of the formula depends.
-    Number,
-    /// A float or a vector, in a place that takes either.
-    Operand,
-    /// A vector with more components than this.
-    Component(u8),
-    /// An array of floats with that many dimensions.
-    FloatArray(u8),
-    /// A function of one result with that many arguments.
-    Function(u8),
     /// Anything that is passed to a macro by reference.
     Reference,
+    /// A float or a vector, in a place that takes either.
+    Either,
+    /// A float or a vector, on which the width of the formula depends.
+    Number,
+    /// A float.
+    Float,
+    /// A vector with more components than this.
+    Component(u8),
+    /// A function of one result with that many arguments.
+    Function(u8),
 }
+
+/// Index of a name in [`Formula::operands`].
+pub type OperandId = u16;
 
 /// The call of a macro whose tokens end in an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +105,29 @@ pub struct MacroCall {
     pub whole: bool,
     /// Whether only a number can stand in its place, so that the result may be a name alone.
     pub numeric: bool,
+}
+
+impl Formula {
+    /// The node that gives its value.
+    pub fn root(&self) -> NodeId {
+        (self.nodes.len() - 1) as NodeId
+    }
+
+    /// How many floats wait at most while the nodes run in order.
+    fn stack(&self) -> usize {
+        let (mut now, mut most) = (0_usize, 0);
+        for node in &self.nodes {
+            let (taken, left) = node.arity(&self.calls);
+            now = now - taken + left;
+            most = most.max(now);
+        }
+        most
+    }
+
+    /// The name, in whatever role, of an operand.
+    pub fn name(&self, operand: OperandId) -> Symbol {
+        self.operands[usize::from(operand)].name
+    }
 }
 
 /// A range of [`Formula::lists`].
@@ -89,11 +147,11 @@ pub enum Node {
     /// A literal vector or a named axis.
     Axes([f64; 3], u8),
     /// A variable.
-    Name(Symbol),
+    Name(OperandId),
     /// An array element; the token of its name.
-    Element(Symbol, List, u16),
+    Element(OperandId, List, u16),
     /// A component of a variable.
-    Component(Symbol, u8),
+    Component(OperandId),
     /// Component of any other operand; the token of the component.
     ComponentOf(NodeId, u8, u16),
     /// `-a`.
@@ -116,6 +174,28 @@ pub enum Node {
     CallName(Symbol, List),
     /// One of [`Formula::calls`].
     Macro(u16),
+    /// No value. A program of floats goes on at that node, whose operands before it may be vectors.
+    Skip(NodeId),
+}
+
+impl Node {
+    /// How many operands it takes, and values it leaves.
+    fn arity(&self, calls: &[MacroCall]) -> (usize, usize) {
+        let taken = match self {
+            Self::Constant(_) | Self::Axes(..) | Self::Name(_) | Self::Component(_) => 0,
+            Self::Negate(_) | Self::Not(_) | Self::Group(_) | Self::ComponentOf(..) => 1,
+            Self::Binary(..) => 2,
+            Self::Choice(..) => 3,
+            Self::Element(_, list, _)
+            | Self::Vector(list)
+            | Self::Call(_, list, _)
+            | Self::VectorCall(_, list, _)
+            | Self::CallName(_, list) => usize::from(list.n),
+            Self::Macro(call) => usize::from(calls[usize::from(*call)].arguments.n),
+            Self::Skip(_) => return (0, 0),
+        };
+        (taken, 1)
+    }
 }
 
 /// Operators of two operands.

@@ -1,18 +1,20 @@
 //! From tokens to a tree.
 
-use super::{Demand, Formula, List, MacroCall, Node, NodeId, Operator};
+use super::{Demand, Formula, List, MAX_PLAIN, MAX_STACK, MacroCall, Node, NodeId, Operand, OperandId, Operator};
 use crate::syntax::vectors::read_vector;
 use crate::syntax::{Directive, Keyword, Symbol, Token, TokenKind};
 
 /// Longer expressions are rare in loops, and nesting is bounded by this too.
 const MAX_TOKENS: usize = 200;
 
+/// An array has no more dimensions.
+const MAX_INDICES: usize = 5;
+
 /// Reads a formula from the beginning of `tokens`; `full` with comparisons, logic and choice.
 ///
 /// `None` where there is no whole expression, or one that is better read token by token.
 /// `is_macro` tells which names stand for macros at the time.
 pub fn parse(tokens: &[Token], text: &[u8], full: bool, is_macro: &dyn Fn(Symbol) -> bool) -> Option<Formula> {
-    let tokens = &tokens[..tokens.len().min(MAX_TOKENS)];
     let formula = parse_part(tokens, text, full, is_macro)?;
     // A formula that reaches the end of what is known may go on there.
     let next = tokens.get(formula.length)?;
@@ -20,13 +22,14 @@ pub fn parse(tokens: &[Token], text: &[u8], full: bool, is_macro: &dyn Fn(Symbol
     (next.kind != TokenKind::Directive(Directive::End)).then_some(formula)
 }
 
-/// The same, whatever stands behind it.
+/// The same, whatever stands behind it; the caller makes sure that it does not go on there.
 pub(super) fn parse_part(
     tokens: &[Token],
     text: &[u8],
     full: bool,
     is_macro: &dyn Fn(Symbol) -> bool,
 ) -> Option<Formula> {
+    let tokens = &tokens[..tokens.len().min(MAX_TOKENS)];
     let formula = Formula::default();
     let mut parser = Parser { tokens, text, is_macro, at: 0, numeric: false, names: Vec::new(), formula };
     let (_, width) = if full { parser.full()? } else { parser.sum()? };
@@ -36,7 +39,10 @@ pub(super) fn parse_part(
     formula.open_ended = matches!(next, Some(TokenKind::Name(_) | TokenKind::Directive(_)));
     formula.scalar = width == Width::Float;
     formula.length = parser.at;
-    Some(formula)
+    formula.plain = formula.calls.is_empty()
+        && formula.operands.len() <= MAX_PLAIN
+        && formula.operands.iter().all(Operand::takes_float);
+    (formula.stack() <= MAX_STACK).then_some(formula)
 }
 
 /// What is known of the width of a value when the names in it are floats.
@@ -65,8 +71,8 @@ struct Parser<'a> {
     at: usize,
     /// Whether only numbers can stand here.
     numeric: bool,
-    /// Variables whose demand depends on what the operand around them turns out to be.
-    names: Vec<Symbol>,
+    /// Variables whose demand depends on what the expression around them turns out to be.
+    names: Vec<OperandId>,
     formula: Formula,
 }
 
@@ -83,9 +89,39 @@ impl Parser<'_> {
         found
     }
 
-    fn push(&mut self, node: Node) -> NodeId {
+    /// Adds a node whose operands begin with `first`.
+    fn push(&mut self, node: Node, first: NodeId) -> NodeId {
         self.formula.nodes.push(node);
+        self.formula.first.push(first);
         (self.formula.nodes.len() - 1) as NodeId
+    }
+
+    fn leaf(&mut self, node: Node) -> NodeId {
+        let at = self.next_id();
+        self.push(node, at)
+    }
+
+    /// A node of operands that come one after the other from `first` on.
+    fn parent(&mut self, node: Node, first_operand: NodeId) -> NodeId {
+        let first = self.formula.first[usize::from(first_operand)];
+        self.push(node, first)
+    }
+
+    fn next_id(&self) -> NodeId {
+        self.formula.nodes.len() as NodeId
+    }
+
+    /// What comes before operands that may be vectors, until it is known what takes them.
+    fn skip(&mut self) -> NodeId {
+        let next = self.next_id() + 1;
+        self.leaf(Node::Skip(next))
+    }
+
+    /// A node that takes operands which may be vectors, all those behind `skip`.
+    fn skipped_to(&mut self, node: Node, skip: NodeId) -> NodeId {
+        let id = self.push(node, skip);
+        self.formula.nodes[usize::from(skip)] = Node::Skip(id);
+        id
     }
 
     fn node(&self, id: NodeId) -> Node {
@@ -98,16 +134,33 @@ impl Parser<'_> {
         List { start, n: items.len() as u8 }
     }
 
-    fn demand(&mut self, name: Symbol, demand: Demand) {
-        if !self.formula.demands.contains(&(name, demand)) {
-            self.formula.demands.push((name, demand));
-        }
+    /// A name of which that is asked; a variable stands once in the list, for whatever is asked of it.
+    fn demand(&mut self, name: Symbol, n_indices: u8, demand: Demand) -> OperandId {
+        let operands = &mut self.formula.operands;
+        let same = |o: &Operand| {
+            (o.name, o.n_indices) == (name, n_indices) && (o.demand == demand || o.demand.max(demand) <= Demand::Float)
+        };
+        let known = operands.iter().position(same);
+        let at = known.unwrap_or_else(|| {
+            operands.push(Operand { name, n_indices, demand });
+            operands.len() - 1
+        });
+        operands[at].demand = operands[at].demand.max(demand);
+        at as OperandId
+    }
+
+    /// A variable or element of which the expression around it decides what it must be.
+    fn variable(&mut self, name: Symbol, n_indices: u8) -> OperandId {
+        let operand = self.demand(name, n_indices, Demand::Reference);
+        self.names.push(operand);
+        operand
     }
 
     /// Demands the same of all variables met since there were `first` of them.
     fn settle_names(&mut self, first: usize, demand: Demand) {
         for name in self.names.split_off(first) {
-            self.demand(name, demand);
+            let operand = &mut self.formula.operands[usize::from(name)];
+            operand.demand = operand.demand.max(demand);
         }
     }
 
@@ -143,7 +196,7 @@ impl Parser<'_> {
             return None;
         }
         let (no, b) = self.full()?;
-        Some((self.push(Node::Choice(condition, yes, no)), a.with(b)))
+        Some((self.parent(Node::Choice(condition, yes, no), condition), a.with(b)))
     }
 
     fn binary(&mut self, operand: fn(&mut Self) -> Parsed, operator: fn(TokenKind) -> Option<Operator>) -> Parsed {
@@ -153,7 +206,7 @@ impl Parser<'_> {
             self.at += 1;
             let (right, w) = operand(self)?;
             width = width.with(w);
-            left = self.push(Node::Binary(operator, left, right, token));
+            left = self.parent(Node::Binary(operator, left, right, token), left);
         }
         Some((left, width))
     }
@@ -206,29 +259,55 @@ impl Parser<'_> {
         self.at += 1;
         let (node, width) = self.factor()?;
         let node = match sign {
-            '-' => self.push(Node::Negate(node)),
-            '!' => self.push(Node::Not(node)),
+            '-' => self.parent(Node::Negate(node), node),
+            '!' => self.parent(Node::Not(node), node),
             // No longer a name alone.
-            _ => self.push(Node::Group(node)),
+            _ => self.parent(Node::Group(node), node),
         };
         Some((node, width))
     }
 
     fn operand_with_component(&mut self) -> Parsed {
-        let start = self.at;
-        if let Some(TokenKind::Name(name)) = self.peek() {
-            self.at += 1;
-            return self.name(name, start);
-        }
-        let first = self.names.len();
-        let (node, width) = self.operand()?;
+        let (start, first) = (self.at, self.names.len());
+        let skip = self.has_component().then(|| self.skip());
+        let (node, width) = match self.peek() {
+            Some(TokenKind::Name(name)) => {
+                self.at += 1;
+                self.name(name, start)?
+            }
+            _ => self.operand()?,
+        };
         if !self.accept('.') {
             return Some((node, width));
         }
         let token = self.at as u16;
         let index = self.component()?;
-        self.settle_names(first, Demand::Operand);
-        Some((self.push(Node::ComponentOf(node, index, token)), Width::Float))
+        self.settle_names(first, Demand::Either);
+        Some((self.skipped_to(Node::ComponentOf(node, index, token), skip?), Width::Float))
+    }
+
+    /// Whether a dot stands behind the operand that comes next, which is no variable.
+    fn has_component(&self) -> bool {
+        let kind = |at: usize| self.tokens.get(at).map(|t| t.kind);
+        let (mut depth, mut at) = (0_usize, self.at);
+        // A name or word stands before its bracket; a vector ends where no parenthesis is open.
+        if matches!(kind(at), Some(TokenKind::Name(_) | TokenKind::Keyword(_))) {
+            at += 1;
+        }
+        let in_vector = kind(at) == Some(TokenKind::Punct('<'));
+        while let Some(kind) = kind(at) {
+            match kind {
+                TokenKind::Punct('(' | '[') => depth += 1,
+                TokenKind::Punct(')' | ']') => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            at += 1;
+            if depth == 0 && (!in_vector || kind == TokenKind::Punct('>')) {
+                break;
+            }
+        }
+        // More indices may follow.
+        kind(at) == Some(TokenKind::Punct('.')) || kind(at) == Some(TokenKind::Punct('['))
     }
 
     fn component(&mut self) -> Option<u8> {
@@ -251,8 +330,8 @@ impl Parser<'_> {
             TokenKind::Punct('.') => {
                 self.at += 1;
                 let index = self.component()?;
-                self.demand(name, Demand::Component(index));
-                Some((self.push(Node::Component(name, index)), Width::Float))
+                let operand = self.demand(name, 0, Demand::Component(index));
+                Some((self.leaf(Node::Component(operand)), Width::Float))
             }
             TokenKind::Punct('[') => {
                 let mut indices = Vec::new();
@@ -262,30 +341,32 @@ impl Parser<'_> {
                         return None;
                     }
                 }
-                if self.peek() == Some(TokenKind::Punct('.')) || indices.len() > 5 {
+                if indices.len() > MAX_INDICES {
                     return None;
                 }
-                self.demand(name, Demand::FloatArray(indices.len() as u8));
                 let list = self.list(&indices);
-                Some((self.push(Node::Element(name, list, token as u16)), Width::Float))
+                let operand = self.variable(name, list.n);
+                Some((self.parent(Node::Element(operand, list, token as u16), indices[0]), Width::Float))
             }
             TokenKind::Punct('(') => {
                 let arguments = self.arguments()?;
                 if self.peek() == Some(TokenKind::Punct('.')) {
                     return None;
                 }
-                self.demand(name, Demand::Function(arguments.n));
-                Some((self.push(Node::CallName(name, arguments)), Width::Float))
+                self.demand(name, 0, Demand::Function(arguments.n));
+                let first = self.formula.lists[usize::from(arguments.start)];
+                Some((self.parent(Node::CallName(name, arguments), first), Width::Float))
             }
             _ => {
-                self.names.push(name);
-                Some((self.push(Node::Name(name)), Width::Float))
+                let operand = self.variable(name, 0);
+                Some((self.leaf(Node::Name(operand)), Width::Float))
             }
         }
     }
 
     /// `( value, value … )` behind the name of a macro.
     fn macro_call(&mut self, name: Symbol, token: u16) -> Parsed {
+        let skip = self.skip();
         let mut items = Vec::new();
         self.accept('(').then_some(())?;
         while !self.accept(')') {
@@ -296,8 +377,8 @@ impl Parser<'_> {
             let outside = std::mem::replace(&mut self.numeric, false);
             let (item, _) = self.sum()?;
             self.numeric = outside;
-            let alone = matches!(self.node(item), Node::Name(_));
-            self.settle_names(first, if alone { Demand::Reference } else { Demand::Operand });
+            let alone = matches!(self.node(item), Node::Name(_) | Node::Element(..));
+            self.settle_names(first, if alone { Demand::Reference } else { Demand::Either });
             items.push(item);
         }
         // These would belong to the last token of the macro.
@@ -307,7 +388,7 @@ impl Parser<'_> {
         let arguments = self.list(&items);
         let index = u16::try_from(self.formula.calls.len()).ok()?;
         self.formula.calls.push(MacroCall { name, arguments, token, whole: false, numeric: self.numeric });
-        Some((self.push(Node::Macro(index)), Width::Unknown))
+        Some((self.skipped_to(Node::Macro(index), skip), Width::Unknown))
     }
 
     /// `( float, float … )`.
@@ -330,7 +411,7 @@ impl Parser<'_> {
                 self.accept(',').then_some(())?;
             }
             let float = i >= n_vectors;
-            let item = if float { self.float(Self::sum)? } else { self.operand_of(Demand::Operand, Self::sum)?.0 };
+            let item = if float { self.float(Self::sum)? } else { self.operand_of(Demand::Either, Self::sum)?.0 };
             items.push(item);
         }
         self.accept(')').then(|| self.list(&items))
@@ -341,17 +422,17 @@ impl Parser<'_> {
         let token = self.at;
         self.at += 1;
         match kind {
-            TokenKind::Number(value) => Some((self.push(Node::Constant(value)), Width::Float)),
+            TokenKind::Number(value) => Some((self.leaf(Node::Constant(value)), Width::Float)),
             TokenKind::Punct('(') => {
                 let (node, width) = self.full()?;
-                self.accept(')').then(|| (self.push(Node::Group(node)), width))
+                self.accept(')').then(|| (self.parent(Node::Group(node), node), width))
             }
             TokenKind::Punct('<') => self.vector(),
             TokenKind::Vectors => {
                 let span = self.tokens[token].span;
                 let (v, n, end) = read_vector(self.text, span.start as usize);
                 let whole = end >= span.end as usize && n <= 3;
-                whole.then(|| (self.push(Node::Axes([v[0], v[1], v[2]], n)), Width::Vector))
+                whole.then(|| (self.leaf(Node::Axes([v[0], v[1], v[2]], n)), Width::Vector))
             }
             TokenKind::Keyword(word) => self.built_in(word, token as u16),
             _ => None,
@@ -370,25 +451,19 @@ impl Parser<'_> {
             return None;
         }
         let list = self.list(&items);
-        Some((self.push(Node::Vector(list)), Width::Vector))
+        Some((self.parent(Node::Vector(list), items[0]), Width::Vector))
     }
 
     fn built_in(&mut self, word: Keyword, token: u16) -> Parsed {
         use Keyword as K;
         if let Some(node) = constant(word) {
             let width = if matches!(node, Node::Constant(_)) { Width::Float } else { Width::Vector };
-            return Some((self.push(node), width));
+            return Some((self.leaf(node), width));
         }
-        let vectors = match word {
-            K::Vnormalize => Some((self.vector_arguments(1, 0)?, Width::Vector)),
-            K::Vcross | K::Vrotate => Some((self.vector_arguments(2, 0)?, Width::Vector)),
-            K::VaxisRotate => Some((self.vector_arguments(2, 1)?, Width::Vector)),
-            K::Vlength => Some((self.vector_arguments(1, 0)?, Width::Float)),
-            K::Vdot => Some((self.vector_arguments(2, 0)?, Width::Float)),
-            _ => None,
-        };
-        if let Some((arguments, width)) = vectors {
-            return Some((self.push(Node::VectorCall(word, arguments, token)), width));
+        if let Some((n_vectors, n_floats, width)) = vector_call(word) {
+            let skip = self.skip();
+            let arguments = self.vector_arguments(n_vectors, n_floats)?;
+            return Some((self.skipped_to(Node::VectorCall(word, arguments, token), skip), width));
         }
         let arguments = match word {
             K::Pow | K::Atan2 | K::Div | K::Mod => self.arguments().filter(|a| a.n == 2)?,
@@ -401,7 +476,8 @@ impl Parser<'_> {
             }
             _ => return None,
         };
-        Some((self.push(Node::Call(word, arguments, token)), Width::Float))
+        let first = self.formula.lists[usize::from(arguments.start)];
+        Some((self.parent(Node::Call(word, arguments, token), first), Width::Float))
     }
 }
 
@@ -416,6 +492,18 @@ fn constant(word: Keyword) -> Option<Node> {
         Keyword::Z => Node::Axes([0.0, 0.0, 1.0], 3),
         Keyword::U => Node::Axes([1.0, 0.0, 0.0], 2),
         Keyword::V => Node::Axes([0.0, 1.0, 0.0], 2),
+        _ => return None,
+    })
+}
+
+/// How many vectors, and then floats, a function takes, and what it gives.
+fn vector_call(word: Keyword) -> Option<(usize, usize, Width)> {
+    Some(match word {
+        Keyword::Vnormalize => (1, 0, Width::Vector),
+        Keyword::Vcross | Keyword::Vrotate => (2, 0, Width::Vector),
+        Keyword::VaxisRotate => (2, 1, Width::Vector),
+        Keyword::Vlength => (1, 0, Width::Float),
+        Keyword::Vdot => (2, 0, Width::Float),
         _ => return None,
     })
 }

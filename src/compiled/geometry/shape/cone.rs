@@ -83,7 +83,7 @@ impl Primitive for Cone {
 
     fn contains(&self, p: DVec3) -> bool {
         let slack = if self.open { INSIDE_SLACK } else { -INSIDE_SLACK };
-        p.truncate().length_squared() <= self.radius_squared(p.z) + slack
+        p.truncate().length_squared() <= self.radius_squared(p.z) * (1.0 + slack)
             && p.z >= self.low() - slack
             && p.z <= 1.0 + slack
     }

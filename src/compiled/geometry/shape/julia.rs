@@ -52,8 +52,9 @@ pub(crate) struct Julia {
 /// POV-Ray's length at which the search between two samples ends.
 const FINEST: f64 = 1e-7;
 
-/// POV-Ray's least distance of a hit. A ray that leaves a fractal often meets it again at once,
-/// for no reason but the roughness of the search; POV-Ray then sees nothing of the fractal.
+/// POV-Ray's least distance of a hit, in world units; of a fractal made smaller, in its own. A ray that leaves
+/// a fractal often meets it again at once, for no reason but the roughness of the search; POV-Ray then sees
+/// nothing of the fractal.
 const NEAREST: f64 = 1e-4;
 
 /// POV-Ray's slack of the escape radius.
@@ -246,6 +247,11 @@ impl Julia {
     }
 }
 
+/// The least parameter of a hit.
+fn nearest(ray: &Ray) -> f64 {
+    NEAREST / ray.direction.length().max(1.0)
+}
+
 impl Primitive for Julia {
     fn bounds(&self) -> Bounds {
         let half = DVec3::splat(self.radius());
@@ -253,16 +259,17 @@ impl Primitive for Julia {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        let nearest = nearest(ray);
         self.march(ray, range, |t| {
-            out.extend((t > NEAREST && range.contains(t)).then_some(ShapeHit { t, part: 0 }));
+            out.extend((t > nearest && range.contains(t)).then_some(ShapeHit { t, part: 0 }));
             false
         });
     }
 
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
-        let mut hit = None;
+        let (mut hit, nearest) = (None, nearest(ray));
         self.march(ray, range, |t| {
-            hit = (t > NEAREST && range.contains(t)).then_some(ShapeHit { t, part: 0 });
+            hit = (t > nearest && range.contains(t)).then_some(ShapeHit { t, part: 0 });
             true
         });
         hit

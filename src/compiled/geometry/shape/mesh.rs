@@ -11,6 +11,9 @@ use smallvec::SmallVec;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+/// POV-Ray's threshold, a squared distance: nearly equal normals make a flat face.
+const SAME_NORMAL: f64 = 1e-10;
+
 /// Most triangles in a leaf: fewer make more nodes, more make more tests.
 const LEAF_SIZE: usize = 4;
 
@@ -106,8 +109,7 @@ impl MeshTree {
             return None;
         }
         let normals = indices.map(|i| corner(&self.data.normals, i));
-        // POV-Ray's threshold: nearly equal normals make a flat face.
-        let differ = |a: DVec3, b: DVec3| a.distance_squared(b) > 1e-10;
+        let differ = |a: DVec3, b: DVec3| a.distance_squared(b) > SAME_NORMAL;
         (differ(normals[0], normals[1]) || differ(normals[0], normals[2])).then_some(normals)
     }
 

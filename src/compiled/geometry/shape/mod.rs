@@ -100,6 +100,11 @@ pub(crate) trait Primitive {
     /// Whether the point is inside; on the boundary as POV-Ray decides it for the shape.
     fn contains(&self, point: DVec3) -> bool;
 
+    /// Whether the point is inside of the shape turned inside out; on the boundary of some shapes neither is true.
+    fn excludes(&self, point: DVec3) -> bool {
+        !self.contains(point)
+    }
+
     /// The surface where `ray` crosses `part` at `t`.
     fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface;
 
@@ -132,6 +137,9 @@ macro_rules! shapes {
             }
             fn contains(&self, point: DVec3) -> bool {
                 match self { $(Self::$name(s) => s.contains(point),)* }
+            }
+            fn excludes(&self, point: DVec3) -> bool {
+                match self { $(Self::$name(s) => s.excludes(point),)* }
             }
             fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
                 match self { $(Self::$name(s) => s.surface(ray, t, part),)* }
@@ -181,6 +189,9 @@ impl<P: Primitive> Primitive for Box<P> {
     }
     fn contains(&self, point: DVec3) -> bool {
         (**self).contains(point)
+    }
+    fn excludes(&self, point: DVec3) -> bool {
+        (**self).excludes(point)
     }
     fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
         (**self).surface(ray, t, part)

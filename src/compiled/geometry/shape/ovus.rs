@@ -98,6 +98,11 @@ impl Primitive for Ovus {
         in_arc || self.sphere(BOTTOM).contains(p) || self.sphere(TOP).contains(p)
     }
 
+    fn excludes(&self, p: DVec3) -> bool {
+        let in_arc = self.low < p.y && p.y < self.high && p.distance(self.arc_center(p)) <= self.arc_radius;
+        !in_arc && self.sphere(BOTTOM).excludes(p) && self.sphere(TOP).excludes(p)
+    }
+
     fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
         let p = ray.at(t);
         let (center, radius) = match part {

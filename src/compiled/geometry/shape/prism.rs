@@ -43,6 +43,9 @@ pub(crate) struct Prism {
     pub(crate) outward_caps: bool,
 }
 
+/// POV-Ray's height below which a conic sweep has come to its point: no cap, and no inside.
+const AT_APEX: f64 = 1e-10;
+
 const LOW_CAP: u32 = u32::MAX - 1;
 const HIGH_CAP: u32 = u32::MAX;
 
@@ -130,7 +133,7 @@ impl Primitive for Prism {
             for (y, part) in [(self.low, LOW_CAP), (self.high, HIGH_CAP)] {
                 let t = (y - ray.origin.y) / ray.direction.y;
                 // POV-Ray's threshold for a cone's missing cap at its apex.
-                let there = !self.conic || y.abs() > 1e-10;
+                let there = !self.conic || y.abs() > AT_APEX;
                 if there && range.contains(t) && outline.contains(self.flat(ray.at(t), y)) {
                     out.push(ShapeHit { t, part });
                 }
@@ -139,7 +142,9 @@ impl Primitive for Prism {
     }
 
     fn contains(&self, p: DVec3) -> bool {
-        let within = self.low <= p.y && p.y <= self.high && !(self.conic && p.y.abs() <= 1e-10);
+        // A prism does not hold its upper cap, a letter does.
+        let below = if self.outward_caps { p.y <= self.high } else { p.y < self.high };
+        let within = self.low <= p.y && below && !(self.conic && p.y.abs() <= AT_APEX);
         within && !self.caps_only && self.outlines.iter().any(|o| o.contains(self.flat(p, p.y)))
     }
 

@@ -58,6 +58,10 @@ impl Primitive for Sphere {
         point.distance_squared(self.center) < self.radius * self.radius
     }
 
+    fn excludes(&self, point: DVec3) -> bool {
+        point.distance_squared(self.center) > self.radius * self.radius
+    }
+
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let radius = self.radius.abs();
         let outward = (ray.at(t) - self.center).try_normalize().unwrap_or(DVec3::Y);

@@ -18,6 +18,9 @@ pub(crate) struct Superellipsoid {
 /// Pieces in which a stretch between symmetry planes is searched for two close roots.
 const SAMPLES: usize = 8;
 
+/// POV-Ray's own threshold of the inside test, in the shape's unit cube.
+const INSIDE_SLACK: f64 = 1e-10;
+
 impl Superellipsoid {
     /// The p-norm's (aᵖ + bᵖ)^(1/p), without overflow for large powers.
     fn norm(a: f64, b: f64, p: f64) -> f64 {
@@ -149,9 +152,8 @@ impl Primitive for Superellipsoid {
         }
     }
 
-    /// POV-Ray's own threshold, in the shape's unit cube.
     fn contains(&self, p: DVec3) -> bool {
-        self.value(p) < 1e-10
+        self.value(p) < INSIDE_SLACK
     }
 
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {

@@ -1,45 +1,11 @@
-//! Probe values of the shape facts: what `trace` and `inside` give in POV-Ray.
+//! Probe values of the analytic shapes and of solids: what `trace` and `inside` give in POV-Ray.
 
-use super::compile_object;
-use crate::compiled::geometry::{RayKind, Scratch};
-use crate::diag::Span;
-use crate::math::{DVec3, Range, Ray, Transform};
-use crate::scene::{CsgOperation, Object, Shape};
-use std::sync::Arc;
-
-/// Shorthand for a point.
-pub(super) fn v(x: f64, y: f64, z: f64) -> DVec3 {
-    DVec3::new(x, y, z)
-}
-
-/// A bare object.
-pub(super) fn object(shape: Shape) -> Object {
-    Object::new(shape, Span::default())
-}
-
-/// An object moved.
-pub(super) fn moved(mut o: Object, t: &Transform) -> Object {
-    o.apply(t);
-    o
-}
+use super::*;
 
 /// An object turned inside out.
 fn inverse(mut o: Object) -> Object {
     o.flags.inverse = !o.flags.inverse;
     o
-}
-
-/// A CSG object.
-pub(super) fn csg(operation: CsgOperation, children: impl IntoIterator<Item = Object>) -> Object {
-    object(Shape::Csg { operation, children: children.into_iter().map(Arc::new).collect() })
-}
-
-pub(super) fn sphere(center: DVec3, radius: f64) -> Object {
-    object(Shape::Sphere { center, radius })
-}
-
-pub(super) fn cuboid(corner1: DVec3, corner2: DVec3) -> Object {
-    object(Shape::Box { corner1, corner2 })
 }
 
 fn cylinder(base: DVec3, cap: DVec3, radius: f64, open: bool) -> Object {
@@ -56,32 +22,6 @@ fn torus(major: f64, minor: f64) -> Object {
 
 fn triangle(a: DVec3, b: DVec3, c: DVec3) -> Object {
     object(Shape::Triangle { vertices: [a, b, c] })
-}
-
-/// What a ray finds: the hit point and the raw normal.
-pub(super) fn trace(o: &Object, origin: DVec3, direction: DVec3) -> Option<(DVec3, DVec3)> {
-    let geometry = compile_object(&Arc::new(o.clone())).unwrap();
-    let ray = Ray::new(origin, direction.normalize());
-    let hit = geometry.intersect(&ray, Range::FORWARD, RayKind::Refracted, &mut Scratch::default())?;
-    let surface = geometry.surface(&ray, &hit);
-    Some((surface.point, surface.normal))
-}
-
-/// Traces and compares the hit point and, where given, the normal, to the digits POV-Ray prints.
-pub(super) fn check(o: &Object, origin: DVec3, direction: DVec3, expected: Option<(DVec3, Option<DVec3>)>) {
-    let found = trace(o, origin, direction);
-    let close = |a: DVec3, b: DVec3| (a - b).abs().max_element() < 2e-9 * b.abs().max_element().max(1.0);
-    let agrees = match (found, expected) {
-        (Some((p, n)), Some((point, normal))) => close(p, point) && normal.is_none_or(|m| close(n, m)),
-        (None, None) => true,
-        _ => false,
-    };
-    assert!(agrees, "{found:?}, expected {expected:?}");
-}
-
-/// Whether a point is inside.
-pub(super) fn inside(o: &Object, point: DVec3) -> bool {
-    compile_object(&Arc::new(o.clone())).unwrap().contains(point)
 }
 
 #[test]
@@ -280,7 +220,7 @@ fn what_stood_in_the_way_last_changes_no_answer() {
     let copies = [-50.0, 50.0].map(|x| Arc::new(moved(thing.clone(), &Transform::translation(v(x, 0.0, 0.0)))));
     let default = Arc::default();
     let objects: Vec<_> = copies.iter().map(|o| (o, &default)).collect();
-    let geometry = super::build(&objects, true).unwrap().geometry;
+    let geometry = crate::compile::geometry::build(&objects, true, u64::MAX).unwrap().geometry;
     assert_eq!(geometry.instances.len(), 2);
     let mut scratch = Scratch::default();
     // From above onto the copies and beside them, by turns.

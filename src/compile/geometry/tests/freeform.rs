@@ -1,6 +1,6 @@
 //! Probe values of the freeform shape facts.
 
-use super::tests::{check, inside, moved, object, v};
+use super::{check, inside, moved, object, v};
 use crate::function::{Callable, Function, FunctionBody};
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::{
@@ -115,7 +115,7 @@ fn patches() {
         object(Shape::BicubicPatch(Arc::new(BicubicPatch { points, uv_corners, flatness: 0.0, u_steps, v_steps })))
     };
     let probe = |u, v_steps, z: f64| {
-        let (point, _) = super::tests::trace(&patch(u, v_steps), v(0.7, 1.1, -5.0), DVec3::Z).unwrap();
+        let (point, _) = super::trace(&patch(u, v_steps), v(0.7, 1.1, -5.0), DVec3::Z).unwrap();
         // Single-precision corners.
         assert!((point.z - z).abs() < 1e-6, "{point} for {z}");
     };
@@ -146,7 +146,7 @@ fn height_fields() {
     let field = object(Shape::HeightField(Arc::new(HeightField { image, water_level: 0.0, smooth: false })));
     let normal = v(-0.447_169_921, 0.894_427_047, 0.0);
     let close = |x: f64, y: f64| {
-        let (point, n) = super::tests::trace(&field, v(x, 5.0, 0.3), DVec3::NEG_Y).unwrap();
+        let (point, n) = super::trace(&field, v(x, 5.0, 0.3), DVec3::NEG_Y).unwrap();
         assert!((point.y - y).abs() < 1e-8 && (n.x - normal.x).abs() < 1e-3, "{point} {n}");
     };
     close(0.1, 0.049_993_896);

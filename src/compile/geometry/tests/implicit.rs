@@ -1,6 +1,6 @@
 //! Probe values of the function facts, sections 9 to 11.
 
-use super::tests::{check, inside, moved, object, v};
+use super::{check, inside, moved, object, v};
 use crate::compile::geometry::compile_object;
 use crate::compiled::geometry::{RayKind, Scratch};
 use crate::function::{Binary as B, Function, FunctionBody, ProgramBuilder, Slot, Unary as U};
