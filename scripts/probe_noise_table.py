@@ -108,7 +108,7 @@ def write(table: list[float]) -> None:
         "/// Value and slopes of the noise at a lattice corner with hash `h` stand at `h`, `h + 1`, `h + 2`, `h + 3`; the\n"
         "/// components of the vector noise start at `h`, `h + 4` and `h + 8`.\n"
         "#[rustfmt::skip] // One entry is too long for rustfmt's filled rows: it would take 267 lines.\n"
-        f"pub(super) const NOISE_TABLE: [f64; {COUNT}] = [\n" + "\n".join(rows) + "\n];\n"
+        f"pub(super) static NOISE_TABLE: [f64; {COUNT}] = [\n" + "\n".join(rows) + "\n];\n"
     )
 
 

@@ -60,18 +60,6 @@ static PERMUTATION: [u16; PERIOD] = {
     table
 };
 
-/// The noise table as it is read: value, halved as it is used, and slopes of a corner lie together.
-/// Component k of the vector noise stands 4k rows further on.
-static ROWS: [[f64; 4]; 264] = {
-    let mut rows = [[0.0; 4]; 264];
-    let mut i = 0;
-    while i < 264 {
-        rows[i] = [0.5 * NOISE_TABLE[i], NOISE_TABLE[i + 1], NOISE_TABLE[i + 2], NOISE_TABLE[i + 3]];
-        i += 1;
-    }
-    rows
-};
-
 /// The twelve-bit hash of a lattice point: of its coordinates modulo 4096.
 pub fn lattice_hash(x: i64, y: i64, z: i64) -> usize {
     let at = |i: i64| i as usize & (PERIOD - 1);
@@ -87,11 +75,12 @@ pub fn permuted(i: usize) -> usize {
 struct Cell {
     /// Table rows of corners (0, b, c) and (1, b, c) at position b + 2c.
     rows: [[u8; 2]; 4],
-    /// Distances from the lower and the upper side of the cell along x.
+    /// Twice the distances from the lower and the upper side of the cell along x.
     x: f64x2,
     /// The same along y and z.
     yz: [[f64; 2]; 2],
-    /// Weights of the pairs of corners.
+    /// Half the weights of the pairs of corners: so the values at the corners, of which the noise takes half, need no
+    /// product, and factors of two change no bit.
     weights: [f64x2; 4],
 }
 
@@ -120,9 +109,9 @@ impl Cell {
         let rows =
             std::array::from_fn(|k| first.map(|x| permuted(permuted(x ^ sides[1][k & 1]) ^ sides[2][k >> 1]) as u8));
         let [sx, sy, sz] = fraction.map(|f| [1.0 - smooth(f), smooth(f)]);
-        let x = f64x2::from(sx);
+        let x = f64x2::from(sx) * 0.5;
         let weights = std::array::from_fn(|k| x * sy[k & 1] * sz[k >> 1]);
-        let [x, y, z] = fraction.map(|f| [f, f - 1.0]);
+        let [x, y, z] = fraction.map(|f| [2.0 * f, 2.0 * f - 2.0]);
         Self { rows, x: f64x2::from(x), yz: [y, z], weights }
     }
 
@@ -132,7 +121,10 @@ impl Cell {
         let [y, z] = &self.yz;
         let mut sum = 0.0;
         for k in 0..4 {
-            let [a, b] = self.rows[k].map(|row| &ROWS[usize::from(row) + 4 * COMPONENT]);
+            let [a, b] = self.rows[k].map(|row| {
+                let row = usize::from(row) + 4 * COMPONENT;
+                &NOISE_TABLE[row..row + 4]
+            });
             let column = |i: usize| f64x2::from([a[i], b[i]]);
             let slopes = column(0) + column(1) * self.x + column(2) * y[k & 1] + column(3) * z[k >> 1];
             let [lower, upper] = (self.weights[k] * slopes).to_array();

@@ -177,8 +177,7 @@ impl Cells {
             shares[axis] = [simd.sub_f64s(simd.splat_f64s(1.0), upper), upper];
             distances[axis] = [twice, simd.sub_f64s(twice, simd.splat_f64s(2.0))];
         }
-        // Twice the slopes with half the weights: the values at the corners, of which the noise takes half, need no
-        // product then, and factors of two change no bit.
+        // Halves and doubles as in the single noise's cell.
         let [x, y, z] = shares;
         let x = x.map(
             #[inline(always)]

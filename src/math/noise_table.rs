@@ -7,7 +7,7 @@
 /// Value and slopes of the noise at a lattice corner with hash `h` stand at `h`, `h + 1`, `h + 2`, `h + 3`; the
 /// components of the vector noise start at `h`, `h + 4` and `h + 8`.
 #[rustfmt::skip] // One entry is too long for rustfmt's filled rows: it would take 267 lines.
-pub(super) const NOISE_TABLE: [f64; 267] = [
+pub(super) static NOISE_TABLE: [f64; 267] = [
     -1.0, 0.604974, -0.937102, 0.414115, 0.576226, -0.0161593, 0.432334, 0.103685, 0.590539, 0.0286412, 0.46981,
     -0.84622, -0.0734112, -0.304097, -0.40206, -0.210132, -0.919127, 0.652033, -0.83151, -0.183948, -0.671107, 0.852476,
     0.043595, -0.404532, 0.75494, -0.335653, 0.618433, 0.605707, 0.708583, -0.477195, 0.899474, 0.490623, 0.221729,
