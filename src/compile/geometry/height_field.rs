@@ -21,8 +21,9 @@ pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGri
                 let heights = from_potential(&pixels).ok_or("a pot file must be a GIF of even width")?;
                 (pixels.width / 2, pixels.height, heights)
             } else {
+                let levels = Levels::of(&pixels, *format);
                 apply_gamma(&mut pixels, field.image.gamma);
-                (pixels.width, pixels.height, from_pixels(&pixels, *format))
+                (pixels.width, pixels.height, from_pixels(&pixels, levels))
             }
         }
         ImageSource::Function { width, height, function } => {
@@ -60,29 +61,65 @@ fn apply_gamma(pixels: &mut Pixels, gamma: Option<Working>) {
     }
 }
 
-/// Heights by the kind of picture, top row first.
-fn from_pixels(pixels: &Pixels, format: ImageFormat) -> Vec<u16> {
-    if let Some(indices) = &pixels.indices {
-        return indices.iter().map(|i| u16::from(*i) * 256).collect();
-    }
-    let byte = |v: f32| (f64::from(v) * 255.0).round();
-    let floats = matches!(format, ImageFormat::Exr | ImageFormat::Hdr);
-    let height = |&[r, g, b, _]: &[f32; 4]| -> f64 {
-        let gray = r == g && g == b;
-        if floats {
-            (255.0 * (256.0 * f64::from(r) + f64::from(g))).floor().rem_euclid(65536.0)
+/// How a picture that is not a palette holds its heights (shape facts, freeform, section 3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Levels {
+    /// Colours of any range in floating point: the same numbers as 8-bit colours, wrapping around.
+    Float,
+    /// Grey of at most 8 bits, which POV-Ray rounds down in single precision.
+    RoundedGrey,
+    /// Other greys: the share of 65535.
+    Grey,
+    /// Red above green.
+    Bytes,
+    /// Colours of 16 bits: their brightness.
+    Brightness,
+}
+
+impl Levels {
+    fn of(pixels: &Pixels, format: ImageFormat) -> Self {
+        // A 16-bit value that 8 bits cannot hold is at least 1/257 of a step away from one that they can.
+        let deep = |p: &[f32; 4]| p[..3].iter().any(|v| (v * 255.0 - (v * 255.0).round()).abs() > 1e-3);
+        if matches!(format, ImageFormat::Exr | ImageFormat::Hdr) {
+            Self::Float
         } else if pixels.grey8 {
-            // POV-Ray stores such greys in single precision, rounded down.
-            let level = 255.0 * (0.297_f32 * r + 0.589_f32 * g + 0.114_f32 * b);
-            f64::from(level.floor()) * 257.0
-        } else if gray && format != ImageFormat::Tga {
-            // 8 and 16 bits alike: v 257 and v are both 65535 times the share.
-            (f64::from(r) * 65535.0).round()
+            Self::RoundedGrey
+        } else if pixels.rgba.iter().all(|[r, g, b, _]| r == g && g == b) {
+            Self::Grey
+        } else if pixels.rgba.iter().any(deep) {
+            Self::Brightness
         } else {
-            byte(r) * 256.0 + byte(g)
+            Self::Bytes
         }
-    };
-    pixels.rgba.iter().map(|p| height(p) as u16).collect()
+    }
+
+    fn height(self, &[r, g, b, _]: &[f32; 4]) -> f64 {
+        /// Pixels are single precision: less than this below a whole number is that number.
+        const ROUNDING: f64 = 0.01;
+        let byte = |v: f32| (f64::from(v) * 255.0).round();
+        let [x, y, z] = [r, g, b].map(f64::from);
+        match self {
+            Self::Float => (255.0 * (256.0 * x + y)).floor().rem_euclid(65536.0),
+            Self::RoundedGrey => {
+                let level = 255.0 * (0.297_f32 * r + 0.589_f32 * g + 0.114_f32 * b);
+                f64::from(level.floor()) * 257.0
+            }
+            Self::Grey => (x * 65535.0 + ROUNDING).floor(),
+            Self::Bytes => byte(r) * 256.0 + byte(g),
+            Self::Brightness => {
+                let [r, g, b] = [x, y, z].map(|v| (v * 65535.0).round());
+                (0.297 * r + 0.589 * g + 0.114 * b).floor()
+            }
+        }
+    }
+}
+
+/// Heights by the kind of picture, top row first.
+fn from_pixels(pixels: &Pixels, levels: Levels) -> Vec<u16> {
+    match &pixels.indices {
+        Some(indices) => indices.iter().map(|i| u16::from(*i) * 256).collect(),
+        None => pixels.rgba.iter().map(|p| levels.height(p) as u16).collect(),
+    }
 }
 
 /// Samples a function over the unit square, x to the right, y down.
@@ -101,4 +138,58 @@ fn from_function(width: usize, height: usize, function: &Function) -> Vec<u16> {
         }
     }
     heights
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Heights of a picture of these pixels.
+    fn check(format: ImageFormat, grey8: bool, rgb: &[[f32; 3]], expected: &[u16]) {
+        let rgba = rgb.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
+        let (width, height, gamma) = (rgb.len(), 1, None);
+        let pixels = Pixels {
+            width,
+            height,
+            rgba,
+            indices: None,
+            has_alpha: false,
+            premultiplied: false,
+            grey8,
+            srgb: false,
+            gamma,
+        };
+        assert_eq!(from_pixels(&pixels, Levels::of(&pixels, format)), expected, "{format:?} {rgb:?}");
+    }
+
+    /// Probe values of section 3.
+    #[test]
+    fn heights_follow_the_kind_of_picture() {
+        let byte = |v: u8| f32::from(v) / 255.0;
+        let word = |v: u16| f32::from(v) / 65535.0;
+        let grey = |v: f32| [v; 3];
+        check(ImageFormat::Pnm, false, &[grey(0.4), grey(0.5)], &[26214, 32767]);
+        check(ImageFormat::Png, false, &[grey(byte(40))], &[10280]);
+        check(ImageFormat::Png, true, &[grey(byte(40))], &[10023]);
+        check(ImageFormat::Png, true, &[grey(byte(68))], &[17476]);
+        check(ImageFormat::Png, false, &[grey(word(40000)), grey(word(1)), grey(word(65534))], &[40000, 1, 65534]);
+        check(ImageFormat::Tga, false, &[grey(byte(40))], &[10280]);
+        check(ImageFormat::Png, false, &[[byte(40), byte(200), byte(9)], grey(byte(7))], &[10440, 7 * 257]);
+        check(ImageFormat::Png, false, &[[word(40000), word(20000), word(5)]], &[23660]);
+        check(ImageFormat::Exr, false, &[[0.25, 0.5, 0.0]], &[16447]);
+        let indices = Some(vec![40, 255]);
+        let rgba = vec![[0.3, 0.2, 0.1, 1.0]; 2];
+        let pixels = Pixels {
+            width: 2,
+            height: 1,
+            rgba,
+            indices,
+            has_alpha: false,
+            premultiplied: false,
+            grey8: false,
+            srgb: false,
+            gamma: None,
+        };
+        assert_eq!(from_pixels(&pixels, Levels::of(&pixels, ImageFormat::Gif)), [10240, 65280]);
+    }
 }
