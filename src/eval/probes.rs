@@ -605,7 +605,10 @@ fn functions_at_their_edges() {
     check("val(\"x\")", &[0.0]);
     fails("F(atan2(0,0))", "atan2");
     fails("S(\"a\\qb\")", "escape");
-    prints("#declare A=array[2][3]{{1,2,3}{4,5,6}} F(dimension_size(A,3)) F(dimension_size(A,2))", "0.000000 3.000000 ");
+    prints(
+        "#declare A=array[2][3]{{1,2,3}{4,5,6}} F(dimension_size(A,3)) F(dimension_size(A,2))",
+        "0.000000 3.000000 ",
+    );
 }
 
 #[test]
