@@ -584,3 +584,42 @@ fn bad_input_gets_an_answer() {
     refuses_bytes(b"\x7fELF\x02\x01\x01\0\0\0\0\xff\xfe", "no meaning");
     refuses_bytes(b"sphere { \xe9 }", "no meaning");
 }
+
+#[test]
+fn functions_at_their_edges() {
+    check("sinh(1)", &[1.0_f64.sinh()]);
+    check("asinh(1)", &[1.0_f64.asinh()]);
+    check("acosh(2)", &[2.0_f64.acosh()]);
+    check("acosh(0.5)", &[f64::NAN]);
+    check("atanh(0.5)", &[0.5_f64.atanh()]);
+    check("atanh(1)", &[f64::INFINITY]);
+    check("tan(1)", &[1.0_f64.tan()]);
+    check("exp(1)", &[std::f64::consts::E]);
+    check("exp(1000)", &[f64::INFINITY]);
+    check("mod(5,0)", &[f64::NAN]);
+    check("max(3)", &[3.0]);
+    check("asc(\"\")", &[0.0]);
+    check("strcmp(\"abc\",\"ab\")", &[99.0]);
+    check("val(\"1e3x\")", &[1000.0]);
+    check("val(\"0x10\")", &[16.0]);
+    check("val(\"x\")", &[0.0]);
+    fails("F(atan2(0,0))", "atan2");
+    fails("S(\"a\\qb\")", "escape");
+    prints(
+        "#declare A=array[2][3]{{1,2,3}{4,5,6}} F(dimension_size(A,3)) F(dimension_size(A,2))",
+        "0.000000 3.000000 ",
+    );
+}
+
+#[test]
+fn vectors_at_their_edges() {
+    check("x.y", &[0.0]);
+    check("!x", &[0.0, 1.0, 1.0]);
+    check("(1=x)", &[1.0, 0.0, 0.0]);
+    check("u*2", &[2.0, 0.0]);
+    check("1*t", &[0.0, 0.0, 0.0, 1.0]);
+    check("(t)", &[0.0, 0.0, 0.0, 1.0]);
+    check("x/0", &[f64::INFINITY; 3]);
+    check("x+(5+u)", &[7.0, 5.0, 0.0]);
+    fails("#declare A = x.t;", "no component");
+}

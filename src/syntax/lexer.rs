@@ -3,7 +3,7 @@
 //! The grammar decides what a token is. Words, numbers, vectors and punctuation, nearly all of a
 //! scene, are recognised by a shortcut beside it; a test holds the two together.
 
-use super::pieces::{Piece, PieceKind};
+use super::pieces::{Piece, PieceKind, comment_end};
 use super::vectors::run_end;
 use super::{Directive, Keyword, Malformed, Names, Token, TokenKind};
 use crate::diag::{FileId, Span};
@@ -68,7 +68,8 @@ fn plain(text: &[u8], start: usize) -> Option<Step> {
     match text[start] {
         b' ' | b'\n' | b'\t' | b'\r' => step(Rule::gap, start + 1),
         b'/' if next == b'/' => step(Rule::gap, end_of(text, start, |b| !matches!(b, b'\n' | b'\r'))),
-        b'/' if next == b'*' => None,
+        b'/' if next == b'*' => block_comment(text, start),
+        b'"' => string(text, start),
         b'a'..=b'z' | b'A'..=b'Z' | b'_' => step(Rule::word, end_of(text, start, is_word)),
         b'#' if next.is_ascii_alphabetic() || next == b'_' => step(Rule::directive, end_of(text, start + 1, is_word)),
         b'#' => None,
@@ -97,6 +98,26 @@ fn plain_number(text: &[u8], start: usize) -> Option<Step> {
         end = end_of(text, end + 1 + usize::from(signed), |b| b.is_ascii_digit());
     }
     (text.get(end) != Some(&b'.')).then_some(Step { rule: Rule::number, start, end })
+}
+
+/// A comment that is closed, or else the rest of the text.
+fn block_comment(text: &[u8], start: usize) -> Option<Step> {
+    let (end, closed) = comment_end(text, start)?;
+    Some(Step { rule: if closed { Rule::gap } else { Rule::bad_comment }, start, end })
+}
+
+/// A string that is closed, or else the rest of the text.
+fn string(text: &[u8], start: usize) -> Option<Step> {
+    let mut at = start + 1;
+    while let Some(byte) = text.get(at) {
+        match byte {
+            b'"' => return Some(Step { rule: Rule::string, start, end: at + 1 }),
+            b'\\' if matches!(text.get(at + 1), None | Some(b'\n' | b'\r')) => break,
+            b'\\' => at += 2,
+            _ => at += 1,
+        }
+    }
+    Some(Step { rule: Rule::bad_string, start, end: text.len() })
 }
 
 fn is_word(byte: u8) -> bool {
@@ -213,7 +234,9 @@ mod tests {
             String::from_utf8_lossy(&digits.map(|d| alphabet[d])).into_owned()
         });
         let long = ["<1,2>,<3,-4e5>=1", "1.5e3.2", "#declare A=.5;//x\r#end", "<1,2,3,4,5,6>", "x2_y(1..2)"];
-        for text in short.chain(long.map(String::from)) {
+        let strings =
+            ["\"\"", "\"a\\\"b\" c", "\"a\\", "\"a\\\nb\"", "\"\u{e9}\\\u{e9}\"", "\"a\nb", "/* /* */ x", "/*/**/*/ 1"];
+        for text in short.chain(long.map(String::from)).chain(strings.map(String::from)) {
             let Some(step) = plain(text.as_bytes(), 0) else { continue };
             // The grammar takes a gap whole, the shortcut in parts.
             match by_grammar(&text, 0) {

@@ -60,7 +60,7 @@ pub(super) fn next_piece(text: &[u8], start: usize) -> Option<Piece> {
             b'"' => at = string_end(text, at),
             b'/' if text.get(at + 1) == Some(&b'/') => at = line_end(text, at),
             b'/' if text.get(at + 1) == Some(&b'*') => match comment_end(text, at) {
-                Some(end) => at = end,
+                Some((end, _)) => at = end,
                 None if at > start => return piece(at, PieceKind::Text),
                 None => return piece(text.len(), PieceKind::DeepComment),
             },
@@ -110,8 +110,9 @@ fn line_end(text: &[u8], start: usize) -> usize {
     text[start..].iter().position(|b| matches!(b, b'\n' | b'\r')).map_or(text.len(), |n| start + n)
 }
 
-/// One past the end of a nesting comment, or the end of the text; `None` if it nests too deeply.
-fn comment_end(text: &[u8], start: usize) -> Option<usize> {
+/// One past the end of a nesting comment, or the end of the text, and whether it is closed; `None` if it nests too
+/// deeply.
+pub(super) fn comment_end(text: &[u8], start: usize) -> Option<(usize, bool)> {
     let (mut at, mut depth) = (start, 0);
     while at + 1 < text.len() {
         match (text[at], text[at + 1]) {
@@ -126,13 +127,13 @@ fn comment_end(text: &[u8], start: usize) -> Option<usize> {
                 depth -= 1;
                 at += 2;
                 if depth == 0 {
-                    return Some(at);
+                    return Some((at, true));
                 }
             }
             _ => at += 1,
         }
     }
-    Some(text.len())
+    Some((text.len(), false))
 }
 
 #[cfg(test)]
