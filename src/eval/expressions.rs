@@ -43,7 +43,8 @@ impl Number {
     pub(super) fn zip_all(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let n = self.n.max(other.n);
         let (a, b) = (self.widened(n), other.widened(n));
-        Self { n, v: std::array::from_fn(|i| f(a.v[i], b.v[i])) }
+        let at = |i: usize| f(a.v[i], b.v[i]);
+        Self { n, v: [at(0), at(1), at(2), at(3), at(4)] }
     }
 
     /// Whether a component is exactly 0.

@@ -115,9 +115,9 @@ impl Evaluator<'_> {
             return Ok(None);
         }
         let mut floats = [0.0; MAX_PLAIN];
-        for (operand, float) in formula.operands.iter().zip(&mut floats) {
+        for (i, operand) in formula.operands.iter().enumerate() {
             match self.scopes.float(operand.name) {
-                Some(value) => *float = value,
+                Some(value) => floats[i] = value,
                 None => return Ok(None),
             }
         }
