@@ -2,9 +2,11 @@
 
 use super::texture::{Refusal, TextureCompiler};
 use crate::compiled::camera::{Camera, FocalBlur, Projection};
-use crate::compiled::mesh_camera::{MeshCamera, MeshDistribution, MeshFace};
+use crate::compiled::mesh_camera::{CameraMesh, MeshCamera, MeshDistribution, MeshFace};
 use crate::math::DVec3;
-use crate::scene::{self, CameraKind, Object, Shape};
+use crate::scene::{self, CameraKind, Mesh, Shape};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
 
 pub(super) fn camera(camera: &scene::Camera, textures: &mut TextureCompiler<'_>) -> Result<Camera, Refusal> {
     let angle = camera.angle_deg.to_radians();
@@ -49,32 +51,34 @@ fn mesh_camera(camera: &scene::MeshCamera) -> Result<MeshCamera, Refusal> {
     };
     // POV-Ray's limit below which no distance counts as given.
     let max_distance = if camera.max_distance >= 1e-10 { camera.max_distance } else { f64::INFINITY };
-    let meshes = camera.meshes.iter().map(|object| mesh_faces(object)).collect::<Result<_, _>>()?;
+    let mut known: FxHashMap<*const Mesh, Arc<[MeshFace]>> = FxHashMap::default();
+    let mut meshes = Vec::with_capacity(camera.meshes.len());
+    for object in &camera.meshes {
+        let Shape::Mesh(mesh) = &object.shape else {
+            return Err("a mesh_camera takes meshes only".into());
+        };
+        let faces = Arc::clone(known.entry(Arc::as_ptr(mesh)).or_insert_with(|| mesh_faces(mesh)));
+        meshes.push(CameraMesh { faces, world_from_local: object.place.transform() });
+    }
     Ok(MeshCamera { distribution, max_distance, meshes })
 }
 
-/// The faces of a mesh object in world space.
-fn mesh_faces(object: &Object) -> Result<Vec<MeshFace>, Refusal> {
-    let Shape::Mesh(mesh) = &object.shape else {
-        return Err("a mesh_camera takes meshes only".into());
-    };
-    let place = &object.place.transform();
+/// The faces of a mesh in its own space.
+fn mesh_faces(mesh: &Mesh) -> Arc<[MeshFace]> {
     let vector = |v: [f32; 3]| DVec3::from(v.map(f64::from));
     let face = |(i, face): (usize, &[u32; 3])| {
-        let local = face.map(|v| vector(mesh.vertices[v as usize]));
-        let flat = (local[2] - local[0]).cross(local[1] - local[0]);
+        let corners = face.map(|v| vector(mesh.vertices[v as usize]));
         let uv = |index: u32| mesh.uvs.get(index as usize).copied().unwrap_or_default();
-        let indices = mesh.normal_indices.get(i);
-        let smooth = indices.and_then(|n| {
-            let [a, b, c] = n.map(|index| mesh.normals.get(index as usize).copied().map(vector));
-            Some([a?, b?, c?].map(|n| place.normal(n).normalize_or_zero()))
+        let normals = mesh.normal_indices.get(i).and_then(|indices| {
+            let [a, b, c] = indices.map(|index| mesh.normals.get(index as usize).copied().map(vector));
+            Some([a?, b?, c?])
         });
         MeshFace {
-            corners: local.map(|p| place.point(p)),
-            normal: place.normal(flat).normalize_or(DVec3::Z),
+            corners,
+            normal: (corners[2] - corners[0]).cross(corners[1] - corners[0]),
             uvs: mesh.uv_indices.get(i).map_or_else(Default::default, |three| three.map(uv)),
-            normals: smooth,
+            normals,
         }
     };
-    Ok(mesh.faces.iter().enumerate().map(face).collect())
+    mesh.faces.iter().enumerate().map(face).collect()
 }

@@ -1,6 +1,7 @@
 //! Cameras whose rays start on the faces of meshes.
 
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, Transform};
+use std::sync::Arc;
 
 /// `mesh_camera`: a face, or a place on a face, for each pixel.
 #[derive(Debug)]
@@ -9,8 +10,31 @@ pub struct MeshCamera {
     pub distribution: MeshDistribution,
     /// Longest distance that the first ray sees; infinite where none was given.
     pub max_distance: f64,
-    /// The faces of each mesh, in world space.
-    pub meshes: Vec<Vec<MeshFace>>,
+    /// The meshes.
+    pub meshes: Vec<CameraMesh>,
+}
+
+/// A mesh in its place; copies of one mesh share its faces.
+#[derive(Debug)]
+pub struct CameraMesh {
+    /// Faces in the mesh's own space, normals of any length.
+    pub faces: Arc<[MeshFace]>,
+    /// Where it stands.
+    pub world_from_local: Transform,
+}
+
+impl CameraMesh {
+    /// A face in world space, with unit normals.
+    pub fn face(&self, i: usize) -> Option<MeshFace> {
+        let face = self.faces.get(i)?;
+        let place = &self.world_from_local;
+        Some(MeshFace {
+            corners: face.corners.map(|p| place.point(p)),
+            normal: place.normal(face.normal).normalize_or(DVec3::Z),
+            uvs: face.uvs,
+            normals: face.normals.map(|three| three.map(|n| place.normal(n).normalize_or_zero())),
+        })
+    }
 }
 
 /// The four distributions of the language.
@@ -34,11 +58,11 @@ pub enum MeshDistribution {
 pub struct MeshFace {
     /// Where its corners are.
     pub corners: [DVec3; 3],
-    /// Unit face normal.
+    /// Face normal.
     pub normal: DVec3,
     /// Surface coordinates of its corners.
     pub uvs: [DVec2; 3],
-    /// Unit normals at its corners, where it has some.
+    /// Normals at its corners, where it has some.
     pub normals: Option<[DVec3; 3]>,
 }
 

@@ -25,27 +25,38 @@ impl Tracer<'_> {
         let (width, height) = (self.options.width, self.options.height);
         let column = (x.max(0.0) as usize).min(width - 1);
         let row = (y.max(0.0) as usize).saturating_sub(1);
-        let at_center = |face: &MeshFace| self.mesh_ray(face.corners.iter().sum::<DVec3>() / 3.0, face.normal);
+        let at_center = |face: MeshFace| self.mesh_ray(face.corners.iter().sum::<DVec3>() / 3.0, face.normal);
         match mesh.distribution {
             MeshDistribution::Parallel(n) => {
-                let face = |k: usize| mesh.meshes.get(k)?.get(row * width + column);
+                let face = |k: usize| mesh.meshes.get(k)?.face(row * width + column);
                 (0..n).filter_map(face).map(at_center).collect()
             }
             MeshDistribution::Sequential => {
-                let face = mesh.meshes.iter().flatten().nth(row * width + column);
-                face.map(at_center).into_iter().collect()
+                let mut i = row * width + column;
+                let holder = mesh.meshes.iter().find(|mesh| {
+                    let n = mesh.faces.len();
+                    i < n || {
+                        i -= n;
+                        false
+                    }
+                });
+                holder.and_then(|mesh| mesh.face(i)).map(at_center).into_iter().collect()
             }
             MeshDistribution::SideBySide => {
                 let share = (width / mesh.meshes.len()).max(1);
-                let face = mesh.meshes.get(column / share).and_then(|faces| faces.get(row * share + column));
+                let face = mesh.meshes.get(column / share).and_then(|mesh| mesh.face(row * share + column));
                 face.map(at_center).into_iter().collect()
             }
             MeshDistribution::Unwrapped { smooth } => {
                 let u = if column == width - 1 { width as f64 - 1.5 } else { x.max(0.0) } / width as f64;
                 let down = if y < 1.0 { 0.5 } else { y };
                 let uv = DVec2::new(u, 1.0 - down / height as f64);
-                let found = mesh.meshes.iter().flatten().find_map(|face| Some((face, face.weights_at(uv)?)));
-                found.map(|(face, weights)| self.ray_on_face(face, weights, smooth)).into_iter().collect()
+                let found = mesh.meshes.iter().find_map(|mesh| {
+                    let mut faces = mesh.faces.iter().enumerate();
+                    let (i, weights) = faces.find_map(|(i, face)| Some((i, face.weights_at(uv)?)))?;
+                    Some((mesh.face(i)?, weights))
+                });
+                found.map(|(face, weights)| self.ray_on_face(&face, weights, smooth)).into_iter().collect()
             }
         }
     }
