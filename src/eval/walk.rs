@@ -339,6 +339,7 @@ impl Operator {
             Self::Or => f64::from(truth(a) || truth(b)),
         }
     }
+
     /// The result for any widths.
     #[inline]
     fn combine(self, a: Number, b: Number) -> Number {
