@@ -49,6 +49,9 @@ impl<'c> Copies<'c> {
 
     /// As [`super::builder::Builder`] places it.
     fn place(&mut self, object: &Object, split: bool) -> Cost {
+        if is_single(object) {
+            return Cost { parts: 1, height: 0 };
+        }
         if let Some(known) = self.placed.get(&std::ptr::from_ref(object)) {
             return *known;
         }
@@ -85,6 +88,9 @@ impl<'c> Copies<'c> {
 
     /// An object as part of a solid, with everything in it and all that cuts it.
     fn solid(&mut self, object: &Object) -> u64 {
+        if is_single(object) {
+            return 1;
+        }
         if let Some(known) = self.solids.get(&std::ptr::from_ref(object)) {
             return *known;
         }
@@ -101,4 +107,10 @@ impl<'c> Copies<'c> {
         self.solids.insert(object, n);
         n
     }
+}
+
+/// Whether an object holds no other, as most do: nothing is worth remembering of it.
+fn is_single(object: &Object) -> bool {
+    let holds = matches!(object.shape, Shape::Csg { .. } | Shape::LightGroup { .. } | Shape::LightSource(_));
+    !holds && object.clipped_by.is_empty() && object.bounded_by.is_empty()
 }

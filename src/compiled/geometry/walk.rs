@@ -19,7 +19,7 @@ pub(super) struct Walk<'a> {
     /// Instances that the ray is in.
     pub(super) path: Path,
     /// The ray in world space.
-    ray: Ray,
+    ray: &'a Ray,
     /// Any hit ends the search.
     pub(super) any: bool,
     /// The item of the outermost group that ended it.
@@ -38,7 +38,7 @@ enum Owner {
 impl<'a> Walk<'a> {
     pub(super) fn new(
         geometry: &'a Geometry,
-        ray: &Ray,
+        ray: &'a Ray,
         range: Range,
         kind: RayKind,
         scratch: &'a mut Scratch,
@@ -51,7 +51,7 @@ impl<'a> Walk<'a> {
             range,
             best: None,
             path: Path::default(),
-            ray: *ray,
+            ray,
             any,
             blocker: None,
             winner: Owner::Primitive(0),
