@@ -37,6 +37,19 @@ impl CameraMesh {
     }
 }
 
+impl MeshCamera {
+    /// A face of all meshes, counted one mesh after the other.
+    pub fn face(&self, mut i: usize) -> Option<MeshFace> {
+        for mesh in &self.meshes {
+            if i < mesh.faces.len() {
+                return mesh.face(i);
+            }
+            i -= mesh.faces.len();
+        }
+        None
+    }
+}
+
 /// The four distributions of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshDistribution {

@@ -14,6 +14,12 @@ pub fn floor(v: f64) -> f64 {
     }
 }
 
+/// What a number is above the next whole one below it.
+#[inline]
+pub fn fraction(v: f64) -> f64 {
+    v - floor(v)
+}
+
 /// The remainder of a whole number (below 2^50, or it is not exact) by `n`, from 0 up to `n`.
 #[inline]
 pub fn modulo(whole: f64, n: f64) -> f64 {

@@ -31,17 +31,7 @@ impl Tracer<'_> {
                 let face = |k: usize| mesh.meshes.get(k)?.face(row * width + column);
                 (0..n).filter_map(face).map(at_center).collect()
             }
-            MeshDistribution::Sequential => {
-                let mut i = row * width + column;
-                let holder = mesh.meshes.iter().find(|mesh| {
-                    let n = mesh.faces.len();
-                    i < n || {
-                        i -= n;
-                        false
-                    }
-                });
-                holder.and_then(|mesh| mesh.face(i)).map(at_center).into_iter().collect()
-            }
+            MeshDistribution::Sequential => mesh.face(row * width + column).map(at_center).into_iter().collect(),
             MeshDistribution::SideBySide => {
                 let share = (width / mesh.meshes.len()).max(1);
                 let face = mesh.meshes.get(column / share).and_then(|mesh| mesh.face(row * share + column));

@@ -336,6 +336,23 @@ pub struct Isosurface {
     pub search: IsosurfaceSearch,
 }
 
+impl Isosurface {
+    /// As POV-Ray has it where nothing but the function is said.
+    pub fn new(function: Arc<Function>, search: IsosurfaceSearch) -> Self {
+        Self {
+            function,
+            container: Container::Box { min: DVec3::NEG_ONE, max: DVec3::ONE },
+            threshold: 0.0,
+            accuracy: 0.001,
+            max_gradient: 1.1,
+            evaluate: None,
+            max_trace: 1,
+            open: false,
+            search,
+        }
+    }
+}
+
 /// What a search for an isosurface may leave out. The caller's choice, not the file's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum IsosurfaceSearch {

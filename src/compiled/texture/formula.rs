@@ -2,7 +2,7 @@
 
 use super::{Context, Pattern, PatternKind, crackle, noise_formula};
 use crate::math::noise::{noise, vector_noise};
-use crate::math::{DVec3, floor, gray, modulo};
+use crate::math::{DVec3, floor, fraction, gray, modulo};
 use std::f64::consts::{PI, TAU};
 
 /// POV-Ray's offset that keeps exact borders on the upper cell.
@@ -72,11 +72,6 @@ impl Pattern {
             _ => return None,
         })
     }
-}
-
-/// What a number is above the next whole one.
-fn fraction(v: f64) -> f64 {
-    v - floor(v)
 }
 
 /// 1 in the middle, 0 from distance 1 on.

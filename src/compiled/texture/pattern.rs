@@ -7,7 +7,7 @@ use super::{
 use crate::compiled::geometry::Geometry;
 use crate::function::Function;
 use crate::math::noise::{NoiseGenerator, Octaves};
-use crate::math::{DVec3, Uv, floor};
+use crate::math::{DVec3, Uv, fraction};
 use std::sync::Arc;
 
 /// A value for each point.
@@ -181,11 +181,11 @@ fn shape(raw: f64, frequency: f64, phase: f64, wave: Wave) -> f64 {
         v %= POV_PERIOD;
     }
     if v < 0.0 {
-        v -= floor(v);
+        v = fraction(v);
     }
     match wave {
         Wave::Ramp => v,
-        Wave::Triangle => 1.0 - (2.0 * (v - floor(v)) - 1.0).abs(),
+        Wave::Triangle => 1.0 - (2.0 * fraction(v) - 1.0).abs(),
         Wave::Sine => (1.0 + (std::f64::consts::TAU * v).sin()) * 0.5,
         Wave::Scallop => (std::f64::consts::PI * v).sin().abs(),
         Wave::Cubic => v * v * (3.0 - 2.0 * v),

@@ -5,7 +5,7 @@
 use super::crackle::random_number;
 use super::formula::cubic;
 use crate::math::noise::{Octaves, lattice_hash, vector_turbulence};
-use crate::math::{DVec3, Transform};
+use crate::math::{DVec3, Transform, floor, modulo};
 use std::f64::consts::TAU;
 
 /// One step, ready to apply to a point.
@@ -96,10 +96,10 @@ impl Warp {
 }
 
 fn repeat(mut p: DVec3, axis: usize, width: f32, offset: DVec3, flip: [bool; 3]) -> DVec3 {
-    let n = (p[axis] / f64::from(width)).floor();
+    let n = floor(p[axis] / f64::from(width));
     // POV-Ray's product is in single precision.
     p[axis] -= f64::from(n as f32 * width);
-    if n.rem_euclid(2.0) == 1.0 {
+    if modulo(n, 2.0) == 1.0 {
         for i in 0..3 {
             p[i] = if flip[i] { -p[i] } else { p[i] };
         }

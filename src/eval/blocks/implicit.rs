@@ -17,17 +17,7 @@ impl Evaluator<'_> {
             return self.expected("'function'");
         }
         let function = self.plain_function()?;
-        let mut surface = Isosurface {
-            function,
-            container: Container::Box { min: DVec3::splat(-1.0), max: DVec3::ONE },
-            threshold: 0.0,
-            accuracy: 0.001,
-            max_gradient: 1.1,
-            evaluate: None,
-            max_trace: 1,
-            open: false,
-            search: self.options.isosurface_search,
-        };
+        let mut surface = Isosurface::new(function, self.options.isosurface_search);
         while self.isosurface_item(&mut surface)? {
             self.comma()?;
         }

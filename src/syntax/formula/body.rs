@@ -1,6 +1,7 @@
 //! Macros that give a number: statements, then one expression.
 
 use super::parser::parse_part;
+use super::reader::Reader;
 use super::{Formula, Node};
 use crate::syntax::{Directive, Symbol, Token, TokenKind};
 use std::rc::Rc;
@@ -27,7 +28,7 @@ pub fn result_of(
     text: &[u8],
     is_macro: &dyn Fn(Symbol) -> bool,
 ) -> Option<MacroResult> {
-    let body = Body { tokens: tokens.get(..=range.end)?, text, is_macro };
+    let body = Reader { tokens: tokens.get(..=range.end)?, text, is_macro };
     let (start, numbers) = body.statements(range.start)?;
     let formula = parse_part(&body.tokens[start..], text, false, is_macro)?;
     if start + formula.length != range.end {
@@ -42,28 +43,14 @@ pub fn result_of(
     Some(MacroResult { start, formula: Rc::new(formula), closed, numeric })
 }
 
-struct Body<'a> {
-    tokens: &'a [Token],
-    text: &'a [u8],
-    is_macro: &'a dyn Fn(Symbol) -> bool,
-}
-
-impl Body<'_> {
-    fn kind(&self, at: usize) -> Option<TokenKind> {
-        self.tokens.get(at).map(|t| t.kind)
-    }
-
-    fn is(&self, at: usize, c: char) -> bool {
-        self.kind(at) == Some(TokenKind::Punct(c))
-    }
-
+impl Reader<'_> {
     /// Where declarations, conditionals and loops end, and the names that numbers were given to.
     fn statements(&self, mut at: usize) -> Option<(usize, Vec<Symbol>)> {
         let (mut depth, mut numbers) = (0_usize, Vec::new());
         loop {
             match self.kind(at)? {
                 TokenKind::Directive(Directive::Local | Directive::Declare) => {
-                    let (end, name, number) = self.declaration(at + 1)?;
+                    let (end, name, number) = self.behind_declaration(at + 1)?;
                     numbers.retain(|known| *known != name);
                     // What is declared in a branch may not be.
                     numbers.extend((number && depth == 0).then_some(name));
@@ -92,7 +79,7 @@ impl Body<'_> {
     }
 
     /// Behind `NAME [ indices ] = value ;`, the name, and whether it is surely a number then.
-    fn declaration(&self, at: usize) -> Option<(usize, Symbol, bool)> {
+    fn behind_declaration(&self, at: usize) -> Option<(usize, Symbol, bool)> {
         let TokenKind::Name(name) = self.kind(at)? else { return None };
         let mut equals = at + 1;
         while self.is(equals, '[') {

@@ -11,6 +11,7 @@
 
 mod body;
 mod parser;
+mod reader;
 mod statement;
 
 pub use body::{MacroResult, result_of};

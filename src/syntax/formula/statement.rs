@@ -2,6 +2,7 @@
 
 use super::Formula;
 use super::parser::parse_part;
+use super::reader::Reader;
 use crate::syntax::{Directive, Symbol, Token, TokenKind};
 
 /// A directive that is known as a whole.
@@ -68,21 +69,7 @@ impl Statement {
     }
 }
 
-struct Reader<'a> {
-    tokens: &'a [Token],
-    text: &'a [u8],
-    is_macro: &'a dyn Fn(Symbol) -> bool,
-}
-
 impl Reader<'_> {
-    fn kind(&self, at: usize) -> Option<TokenKind> {
-        self.tokens.get(at).map(|t| t.kind)
-    }
-
-    fn is(&self, at: usize, c: char) -> bool {
-        self.kind(at) == Some(TokenKind::Punct(c))
-    }
-
     /// The formula from there on, and where it ends.
     fn part(&self, offset: usize, full: bool) -> Option<(Part, usize)> {
         let formula = parse_part(self.tokens.get(offset..)?, self.text, full, self.is_macro)?;

@@ -29,17 +29,7 @@ fn ball() -> Arc<Function> {
 }
 
 fn isosurface(function: Arc<Function>, change: impl Fn(&mut Isosurface)) -> Object {
-    let mut surface = Isosurface {
-        function,
-        container: Container::Box { min: DVec3::NEG_ONE, max: DVec3::ONE },
-        threshold: 0.0,
-        accuracy: 0.001,
-        max_gradient: 1.1,
-        evaluate: None,
-        max_trace: 1,
-        open: false,
-        search: IsosurfaceSearch::PovRay,
-    };
+    let mut surface = Isosurface::new(function, IsosurfaceSearch::PovRay);
     change(&mut surface);
     object(Shape::Isosurface(Arc::new(surface)))
 }
