@@ -21,6 +21,7 @@ pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGri
                 let heights = from_potential(&pixels).ok_or("a pot file must be a GIF of even width")?;
                 (pixels.width / 2, pixels.height, heights)
             } else {
+                // As the file has them: gamma makes other numbers of them.
                 let levels = Levels::of(&pixels, *format);
                 apply_gamma(&mut pixels, field.image.gamma);
                 (pixels.width, pixels.height, from_pixels(&pixels, levels))
@@ -78,8 +79,10 @@ enum Levels {
 
 impl Levels {
     fn of(pixels: &Pixels, format: ImageFormat) -> Self {
-        // A 16-bit value that 8 bits cannot hold is at least 1/257 of a step away from one that they can.
-        let deep = |p: &[f32; 4]| p[..3].iter().any(|v| (v * 255.0 - (v * 255.0).round()).abs() > 1e-3);
+        /// A 16-bit value that 8 bits cannot hold is at least 1/257 of a step away from one that they can, and single
+        /// precision adds less than 1e-4 to that.
+        const EIGHT_BITS: f32 = 1e-3;
+        let deep = |p: &[f32; 4]| p[..3].iter().any(|v| (v * 255.0 - (v * 255.0).round()).abs() > EIGHT_BITS);
         if matches!(format, ImageFormat::Exr | ImageFormat::Hdr) {
             Self::Float
         } else if pixels.grey8 {
