@@ -126,29 +126,38 @@ impl Cursor {
         true
     }
 
-    /// The next token, where that takes no more than reading it.
+    /// The next token, taken, if it stands in the current piece and `wanted` likes it.
     #[inline]
-    pub(super) fn quick_step(&mut self) -> Option<&Token> {
+    fn step_if(&mut self, wanted: impl Fn(&Token) -> bool) -> Option<&Token> {
         if self.run.is_some() || self.index >= self.limit {
             return None;
         }
-        let token = &self.tokens.as_ref()?.tokens[self.index];
-        if matches!(token.kind, TokenKind::Vectors | TokenKind::Bad(_)) {
-            return None;
-        }
+        let token = self.tokens.as_ref()?.tokens.get(self.index).filter(|token| wanted(token))?;
         self.index += 1;
         Some(token)
+    }
+
+    /// The next token, where that takes no more than reading it.
+    #[inline]
+    fn quick_step(&mut self) -> Option<&Token> {
+        self.step_if(|token| !matches!(token.kind, TokenKind::Vectors | TokenKind::Bad(_)))
+    }
+
+    /// The next token, where nothing has to run in front of it.
+    #[inline]
+    pub(super) fn plain_step(&mut self) -> Option<&Token> {
+        self.step_if(|token| match token.kind {
+            TokenKind::Number(_) | TokenKind::String | TokenKind::Keyword(_) | TokenKind::OrEqual(_) => true,
+            TokenKind::Punct(c) => c != '#',
+            _ => false,
+        })
     }
 
     /// The next token, taken, if it is a directive in the current piece.
     #[inline]
     pub(super) fn directive(&mut self) -> Option<(Directive, Span)> {
-        if self.run.is_some() || self.index >= self.limit {
-            return None;
-        }
-        let token = &self.tokens.as_ref()?.tokens[self.index];
+        let token = self.step_if(|token| matches!(token.kind, TokenKind::Directive(_)))?;
         let TokenKind::Directive(directive) = token.kind else { return None };
-        self.index += 1;
         Some((directive, token.span))
     }
 

@@ -148,7 +148,8 @@ pub struct Evaluator<'h> {
 
 /// Reads the scene in `path` and everything it includes.
 ///
-/// Runs on a thread of its own with a large stack, since blocks may nest deeply.
+/// Runs on a large stack of its own, since blocks may nest deeply; on the caller's thread, because the system's
+/// allocator serves the first thread best.
 ///
 /// # Errors
 /// What is wrong with the scene, with the files needed to show it.
@@ -160,15 +161,7 @@ pub fn evaluate(
 ) -> Result<Evaluated, Box<Failed>> {
     /// Address space, of which only what is used costs anything.
     const STACK: usize = 256 << 20;
-    let work = || Evaluator::new(options, host, queries).run(path);
-    std::thread::scope(|scope| {
-        let worker = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work);
-        match worker.map(std::thread::ScopedJoinHandle::join) {
-            Ok(Ok(result)) => result,
-            Ok(Err(panic)) => std::panic::resume_unwind(panic),
-            Err(_) => work(),
-        }
-    })
+    stacker::grow(STACK, || Evaluator::new(options, host, queries).run(path))
 }
 
 impl<'h> Evaluator<'h> {

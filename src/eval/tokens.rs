@@ -20,6 +20,17 @@ impl Evaluator<'_> {
         {
             return Ok(token.kind);
         }
+        // Most tokens need no more than being read.
+        if self.ahead.is_none()
+            && !self.case_wanted
+            && let Some(cursor) = self.cursors.last_mut()
+            && let Some(token) = cursor.plain_step()
+        {
+            self.last_span = token.span;
+            self.ahead = Some(*token);
+            self.ready = true;
+            return Ok(token.kind);
+        }
         self.fill_slowly(hold)
     }
 

@@ -4,7 +4,7 @@
 //! scene, are recognised by a shortcut beside it; a test holds the two together.
 
 use super::pieces::{Piece, PieceKind, comment_end};
-use super::vectors::run_end;
+use super::vectors::{run_end, skip_blanks};
 use super::{Directive, Keyword, Malformed, Names, Token, TokenKind};
 use crate::diag::{FileId, Span};
 use pest::Parser as _;
@@ -18,29 +18,30 @@ struct TokenParser;
 /// Longest string and identifier, in bytes of source text.
 const MAX_LENGTH: usize = 255;
 
-/// The tokens of one piece of `text`.
-pub(super) fn tokenise(file: FileId, text: &[u8], piece: Piece, names: &mut Names) -> Vec<Token> {
+/// Writes the tokens of one piece of `text` in place of what `tokens` holds.
+pub(super) fn tokenise(file: FileId, text: &[u8], piece: Piece, names: &mut Names, tokens: &mut Vec<Token>) {
+    tokens.clear();
     let span = |start: usize, end: usize| Span { file, start: start as u32, end: end as u32 };
-    let whole = |kind| vec![Token { kind, span: span(piece.start, piece.end) }];
+    let whole = |kind| Token { kind, span: span(piece.start, piece.end) };
     match piece.kind {
-        PieceKind::Blank => return Vec::new(),
-        PieceKind::Vectors => return whole(TokenKind::Vectors),
-        PieceKind::DeepComment => return whole(TokenKind::Bad(Malformed::DeepComment)),
-        PieceKind::Text => {}
-    }
-    let readable = readable(&text[piece.start..piece.end]);
-    let mut tokens = Vec::new();
-    let mut at = 0;
-    while at < readable.len() {
-        let Some(step) = plain(readable.as_bytes(), at).or_else(|| by_grammar(&readable, at)) else {
-            return whole(TokenKind::Bad(Malformed::Character));
-        };
-        if let Some(kind) = kind(step.rule, &readable[step.start..step.end], names) {
-            tokens.push(Token { kind, span: span(piece.start + step.start, piece.start + step.end) });
+        PieceKind::Blank => {}
+        PieceKind::Vectors => tokens.push(whole(TokenKind::Vectors)),
+        PieceKind::DeepComment => tokens.push(whole(TokenKind::Bad(Malformed::DeepComment))),
+        PieceKind::Text => {
+            let readable = readable(&text[piece.start..piece.end]);
+            let mut at = skip_blanks(readable.as_bytes(), 0);
+            while at < readable.len() {
+                let Some(step) = plain(readable.as_bytes(), at).or_else(|| by_grammar(&readable, at)) else {
+                    tokens.clear();
+                    return tokens.push(whole(TokenKind::Bad(Malformed::Character)));
+                };
+                if let Some(kind) = kind(step.rule, &readable[step.start..step.end], names) {
+                    tokens.push(Token { kind, span: span(piece.start + step.start, piece.start + step.end) });
+                }
+                at = skip_blanks(readable.as_bytes(), step.end);
+            }
         }
-        at = step.end;
     }
-    tokens
 }
 
 /// A match of a token's rule, or of `gap`.
@@ -66,7 +67,7 @@ fn plain(text: &[u8], start: usize) -> Option<Step> {
     let next = text.get(start + 1).copied().unwrap_or(0);
     let step = |rule, end| Some(Step { rule, start, end });
     match text[start] {
-        b' ' | b'\n' | b'\t' | b'\r' => step(Rule::gap, start + 1),
+        b' ' | b'\n' | b'\t' | b'\r' => step(Rule::gap, skip_blanks(text, start)),
         b'/' if next == b'/' => step(Rule::gap, end_of(text, start, |b| !matches!(b, b'\n' | b'\r'))),
         b'/' if next == b'*' => block_comment(text, start),
         b'"' => string(text, start),
@@ -192,7 +193,10 @@ mod tests {
     fn check(text: &str, expected: &str) {
         let mut names = Names::default();
         let piece = next_piece(text.as_bytes(), 0);
-        let tokens = piece.map_or(Vec::new(), |p| tokenise(FileId(0), text.as_bytes(), p, &mut names));
+        let mut tokens = Vec::new();
+        if let Some(piece) = piece {
+            tokenise(FileId(0), text.as_bytes(), piece, &mut names, &mut tokens);
+        }
         let shown: Vec<String> = tokens
             .iter()
             .map(|t| match t.kind {

@@ -8,9 +8,9 @@
 
 use super::vectors::run_end;
 
-/// Bytes of source text in one piece, about. Small enough that a piece parses in a
-/// millisecond, large enough that its fixed costs do not count.
-const PIECE: usize = 1 << 15;
+/// Bytes of source text in one piece, about. Small enough that its tokens stay in the second cache, large enough that
+/// its fixed costs do not count.
+const PIECE: usize = 1 << 13;
 
 /// Runs of vectors shorter than this stay with the text around them.
 const LONG_RUN: usize = 1 << 9;

@@ -13,7 +13,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 /// Pieces whose tokens are kept; beyond that the oldest are made again when needed.
-const KEPT_PIECES: usize = 16;
+const KEPT_PIECES: usize = 64;
 
 /// A place between two tokens.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -44,7 +44,7 @@ pub struct Piece {
 }
 
 impl Piece {
-    fn new(tokens: Vec<Token>) -> Self {
+    fn new(tokens: &[Token]) -> Self {
         Self { tokens: tokens.into(), formulas: Default::default(), statements: RefCell::default() }
     }
 
@@ -79,6 +79,8 @@ struct Parsed {
     pieces: Vec<pieces::Piece>,
     tokens: Vec<Option<Rc<Piece>>>,
     kept: VecDeque<usize>,
+    /// Room for the tokens of a piece while their number is not known.
+    room: Vec<Token>,
     /// Where the branch that starts at a position ends.
     branch_ends: FxHashMap<Position, (Position, Directive)>,
 }
@@ -105,7 +107,8 @@ impl Source {
             parsed.pieces.push(next_piece(&self.text, start)?);
             parsed.tokens.push(None);
         }
-        let tokens = Rc::new(Piece::new(tokenise(self.file, &self.text, parsed.pieces[index], names)));
+        tokenise(self.file, &self.text, parsed.pieces[index], names, &mut parsed.room);
+        let tokens = Rc::new(Piece::new(&parsed.room));
         parsed.tokens[index] = Some(Rc::clone(&tokens));
         parsed.kept.push_back(index);
         if parsed.kept.len() > KEPT_PIECES

@@ -89,7 +89,9 @@ fn skip_digits(text: &[u8], mut at: usize) -> usize {
     at
 }
 
-fn skip_blanks(text: &[u8], mut at: usize) -> usize {
+/// Where the blanks that start at `at` end.
+#[inline]
+pub(super) fn skip_blanks(text: &[u8], mut at: usize) -> usize {
     while matches!(text.get(at), Some(b' ' | b'\n' | b'\t' | b'\r')) {
         at += 1;
     }
