@@ -60,7 +60,9 @@ fn request(block: *mut u8, size: usize) {
     // Whole pages: a mapping of which a part is advised is two mappings, which cannot grow in place.
     let before = block.addr() % PAGE;
     // SAFETY: the pages hold the block, so they are mapped, and this advice says nothing about what they hold.
-    unsafe { libc::madvise(block.wrapping_sub(before).cast(), (before + size).next_multiple_of(PAGE), libc::MADV_HUGEPAGE) };
+    unsafe {
+        libc::madvise(block.wrapping_sub(before).cast(), (before + size).next_multiple_of(PAGE), libc::MADV_HUGEPAGE)
+    };
 }
 
 #[cfg(not(target_os = "linux"))]

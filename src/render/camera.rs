@@ -25,7 +25,7 @@ impl RawRay {
     pub(super) fn through(camera: &Camera, x: f64, y: f64, width: usize, height: usize) -> Option<Self> {
         let (s, t) = ((x + 0.5) / width as f64 - 0.5, 0.5 - (y + 0.5) / height as f64);
         let (d, r, u) = (camera.direction, camera.right, camera.up);
-        let (width, height) = (r.length(), u.length());
+        let (width, height) = (|| r.length(), || u.length());
         let axes = || (d.normalize_or(DVec3::Z), r.normalize_or(DVec3::X), u.normalize_or(DVec3::Y));
         let at = |origin: DVec3, direction: DVec3, lookup: [f64; 2]| Some(Self { origin, direction, lookup });
         let here = |direction: DVec3, lookup: [f64; 2]| at(camera.location, direction, lookup);
@@ -33,13 +33,13 @@ impl RawRay {
             Projection::Perspective => here(d + s * r + t * u, [s, t]),
             Projection::Orthographic => at(camera.location + s * r + t * u, d, [s, t]),
             Projection::Fisheye { angle } => {
-                let (x, y) = (2.0 * s * width, 2.0 * t * height);
+                let (x, y) = (2.0 * s * width(), 2.0 * t * height());
                 let distance = x.hypot(y);
                 let (phi, theta) = (y.atan2(x), distance * angle * 0.5);
                 if distance > 1.0 { None } else { here(on_dome(axes(), phi, theta), [phi, theta]) }
             }
             Projection::Omnimax => {
-                let (phi, theta) = omnimax(s, t, width / height)?;
+                let (phi, theta) = omnimax(s, t, width() / height())?;
                 here(on_dome(axes(), phi, theta), [phi, theta])
             }
             Projection::Panoramic => {
@@ -47,7 +47,7 @@ impl RawRay {
                 here(a.cos() * r + b.tan() * u + a.sin() * d, [a, b])
             }
             Projection::UltraWideAngle { angle } => {
-                let (a, b) = (s * angle, t * angle * height / width);
+                let (a, b) = (s * angle, t * angle * height() / width());
                 let (dn, rn, un) = axes();
                 here(a.sin() * rn + b.sin() * un + a.cos() * b.cos() * dn, [a, b])
             }
@@ -55,9 +55,9 @@ impl RawRay {
                 let (dn, rn, un) = axes();
                 match kind {
                     1 | 3 => {
-                        let (a, shift) = (s * angle, t * height * un);
+                        let (a, shift) = (s * angle, t * height() * un);
                         let turned = a.sin() * rn + a.cos() * dn;
-                        let lookup = [a, t * height];
+                        let lookup = [a, t * height()];
                         if kind == 1 {
                             here(turned + shift, lookup)
                         } else {
@@ -65,9 +65,9 @@ impl RawRay {
                         }
                     }
                     _ => {
-                        let (a, shift) = (t * angle, s * width * rn);
+                        let (a, shift) = (t * angle, s * width() * rn);
                         let turned = a.sin() * un + a.cos() * dn;
-                        let lookup = [s * width, a];
+                        let lookup = [s * width(), a];
                         if kind == 2 {
                             here(turned + shift, lookup)
                         } else {

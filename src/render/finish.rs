@@ -83,11 +83,17 @@ pub(super) fn irid(finish: &Finish, wavelength: Rgb, point: DVec3, light: DVec3,
 /// How much a layer mirrors at a signed cosine between the view and the normal; `None` for nothing.
 ///
 /// `relative_ior` is that of the far side over the near side.
-pub(super) fn reflectivity(finish: &Finish, pigment: Rgb, cosine: f64, relative_ior: f64) -> Option<Reflectivity> {
+pub(super) fn reflectivity(
+    finish: &Finish,
+    pigment: Rgb,
+    cosine: f64,
+    relative_ior: impl FnOnce() -> f64,
+) -> Option<Reflectivity> {
     let reflection = finish.reflection.as_ref()?;
     let (min, max) = (reflection.min, reflection.max);
     let (plain, importance) = if reflection.fresnel {
-        let r = max * fresnel(cosine, relative_ior) + min * (1.0 - fresnel(cosine, relative_ior));
+        let share = fresnel(cosine, relative_ior());
+        let r = max * share + min * (1.0 - share);
         (r, r.max_element())
     } else {
         let k = if min == max { 1.0 } else { (1.0 - cosine).powf(reflection.falloff) as f32 };
@@ -147,7 +153,7 @@ mod tests {
             let (min, max) = (Rgb::splat(min), Rgb::splat(max));
             let reflection = Some(Reflection { min, max, fresnel, falloff, exponent: 1.0, metallic });
             let finish = Finish { reflection, ..Finish::default() };
-            reflectivity(&finish, PIGMENT, 0.5f64.sqrt(), ior).map_or(Rgb::ZERO, |r| r.tint * background)
+            reflectivity(&finish, PIGMENT, 0.5f64.sqrt(), || ior).map_or(Rgb::ZERO, |r| r.tint * background)
         };
         check(show(0.2, 0.8, false, 1.0, 0.0, 1.0), [0.075151, 0.150301, 0.225437]);
         check(show(0.2, 0.8, false, 3.0, 0.0, 1.0), [0.043015, 0.086030, 0.129046]);

@@ -48,7 +48,7 @@ pub(super) trait Gather: Clone + Default + Send {
     /// Notes the normal that shades, towards the viewer, and the colour that counts as the surface's own.
     fn note_shading(&mut self, normal: DVec3, albedo: Rgb);
     /// Notes the first hit of a camera ray.
-    fn note_hit(&mut self, surface: &Surface<'_>, length: f64, facing: DVec3);
+    fn note_hit(&mut self, surface: &Surface, length: f64, facing: DVec3);
     /// Notes that this is one camera ray.
     fn note_sample(&mut self);
     /// Counts samples anew where sums have counted some several times.
@@ -87,7 +87,7 @@ impl Gather for Radiance {
 
     fn note_shading(&mut self, _: DVec3, _: Rgb) {}
 
-    fn note_hit(&mut self, _: &Surface<'_>, _: f64, _: DVec3) {}
+    fn note_hit(&mut self, _: &Surface, _: f64, _: DVec3) {}
 
     fn note_sample(&mut self) {}
 
@@ -213,7 +213,7 @@ impl Gather for Detail {
         self.albedo = albedo;
     }
 
-    fn note_hit(&mut self, surface: &Surface<'_>, length: f64, facing: DVec3) {
+    fn note_hit(&mut self, surface: &Surface, length: f64, facing: DVec3) {
         let side = if surface.geometric_normal.dot(facing) < 0.0 { -1.0 } else { 1.0 };
         self.geometric_normal = side * surface.geometric_normal;
         self.nearest = Some(Nearest { length, point: surface.point });

@@ -6,6 +6,7 @@ use super::finish::{self, Reflectivity};
 use super::gather::{Gather, Term};
 use super::lights::{LightCache, Skin};
 use super::ray::{Path, Radiance};
+use super::refraction::relative_ior;
 use super::tracer::Tracer;
 use crate::compiled::geometry::Surface;
 use crate::compiled::texture::{Context, Finish, Frame, Layer, Pick, Texture};
@@ -13,9 +14,9 @@ use crate::math::{Color, DVec3, Rgb, gray};
 use smallvec::SmallVec;
 
 /// Where shading happens: a ray, the surface it met, and what is worked out once for all layers.
-pub(super) struct Place<'p, 's> {
+pub(super) struct Place<'p> {
     pub(super) path: &'p Path,
-    pub(super) surface: &'p Surface<'s>,
+    pub(super) surface: &'p Surface,
     /// Unit shading normal on the side of the ray.
     pub(super) facing: DVec3,
     pub(super) context: Context,
@@ -24,18 +25,7 @@ pub(super) struct Place<'p, 's> {
     pub(super) lights: LightCache,
 }
 
-impl<'p, 's> Place<'p, 's> {
-    pub(super) fn new(
-        path: &'p Path,
-        surface: &'p Surface<'s>,
-        facing: DVec3,
-        context: Context,
-        length: f64,
-        n_lights: usize,
-    ) -> Self {
-        Self { path, surface, facing, context, length, lights: LightCache::new(n_lights) }
-    }
-
+impl Place<'_> {
     /// Unit direction of the ray.
     pub(super) fn direction(&self) -> DVec3 {
         self.path.ray.direction
@@ -65,7 +55,7 @@ impl Tracer<'_> {
         texture: &Texture,
         point: DVec3,
         frame: &Frame,
-        place: &mut Place<'_, '_>,
+        place: &mut Place<'_>,
         plain: bool,
     ) -> G {
         let patterned = match texture {
@@ -98,13 +88,11 @@ impl Tracer<'_> {
         layers: &[Layer],
         point: DVec3,
         frame: &Frame,
-        place: &mut Place<'_, '_>,
+        place: &mut Place<'_>,
         plain: bool,
     ) -> G {
         let bailout = self.world.settings.adc_bailout;
         let legacy = layers.last().filter(|_| plain).map(|top| &top.finish);
-        let substance = self.substance(place.surface, legacy);
-        let relative_ior = super::refraction::relative_ior(&place.path.interiors, &substance);
         let mut mirrors: SmallVec<[Mirror<'_>; 2]> = SmallVec::new();
         let mut filter = Rgb::ONE;
         let mut found = G::default();
@@ -126,6 +114,7 @@ impl Tracer<'_> {
                 return found;
             }
             let cosine = -place.direction().dot(normal);
+            let relative_ior = || relative_ior(&place.path.interiors, &self.substance(place.surface, legacy));
             let reflectivity = finish::reflectivity(&layer.finish, color.rgb, cosine, relative_ior);
             if let Some(reflectivity) = reflectivity {
                 mirrors.push(Mirror { layer, normal, reflectivity, visibility: share(filter) });
@@ -146,6 +135,7 @@ impl Tracer<'_> {
         found.note_shading(top_normal, albedo);
         let mut mirrored_within = None;
         if share(filter) > bailout && self.options.refraction() {
+            let substance = self.substance(place.surface, legacy);
             let top_finish = layers.last().map(|top| &top.finish);
             let through = self.transmit(place, &substance, top_normal, filter, top_finish);
             let term = if through.total_reflection { Term::Reflection } else { Term::Refraction };
@@ -165,7 +155,7 @@ impl Tracer<'_> {
 
     /// A layer's normal; that of the last layer with bumps stays for patterns that ask for the slope, in
     /// whatever layer or texture of the hit they stand, as in POV-Ray.
-    fn layer_normal(&self, layer: &Layer, point: DVec3, frame: &Frame, place: &mut Place<'_, '_>) -> DVec3 {
+    fn layer_normal(&self, layer: &Layer, point: DVec3, frame: &Frame, place: &mut Place<'_>) -> DVec3 {
         match &layer.normal {
             Some(normal) if self.options.reflection_and_normals() => {
                 let bumped = normal.perturb(place.facing, point, frame, &place.context);
@@ -176,7 +166,7 @@ impl Tracer<'_> {
         }
     }
 
-    fn layer_color(&self, layer: &Layer, point: DVec3, place: &Place<'_, '_>) -> Option<Color> {
+    fn layer_color(&self, layer: &Layer, point: DVec3, place: &Place<'_>) -> Option<Color> {
         if let (true, Some(quick)) = (self.options.quick_colors(), layer.quick_color) {
             return Some(quick);
         }
@@ -194,7 +184,7 @@ impl Tracer<'_> {
     }
 
     /// One layer's mirror image.
-    fn mirror(&mut self, mirror: &Mirror<'_>, place: &Place<'_, '_>) -> Rgb {
+    fn mirror(&mut self, mirror: &Mirror<'_>, place: &Place<'_>) -> Rgb {
         let direction = reflected(place.direction(), mirror.normal, place.facing);
         let weight = place.path.weight * mirror.visibility * mirror.reflectivity.importance;
         let mut light = self.reflect(place, direction, weight).rgb;

@@ -13,21 +13,17 @@ use smallvec::SmallVec;
 /// POV-Ray's cosine below which a surface is turned away from a light.
 const TURNED_AWAY: f64 = 1e-10;
 
-/// Light that arrives at one hit, worked out once for all layers.
+/// Light that arrives at one hit, worked out once for all layers: what each of the lights that shine there gives,
+/// in their order, as far as a layer has asked.
+#[derive(Default)]
 pub(super) struct LightCache {
-    entries: SmallVec<[Cached; 4]>,
+    entries: SmallVec<[Cached; 2]>,
 }
 
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 struct Cached {
-    arrival: Option<Arrival>,
+    arrival: Arrival,
     shadowed: Option<Rgb>,
-}
-
-impl LightCache {
-    pub(super) fn new(n_lights: usize) -> Self {
-        Self { entries: smallvec::smallvec![Cached::default(); n_lights] }
-    }
 }
 
 /// One layer of a texture as light meets it.
@@ -57,15 +53,17 @@ struct Beam {
 
 impl Tracer<'_> {
     /// Diffuse light and highlights from all lights that shine on the surface.
-    pub(super) fn direct_light(&mut self, skin: &Skin<'_>, place: &mut Place<'_, '_>) -> Rgb {
+    pub(super) fn direct_light(&mut self, skin: &Skin<'_>, place: &mut Place<'_>) -> Rgb {
         let world = self.world;
         let mut sum = Rgb::ZERO;
-        for index in world.lights_for(place.surface.light_group) {
+        for (order, index) in world.lights_for(place.surface.light_group).enumerate() {
             let light = &world.lights[index];
             self.light = index;
-            let entry = &mut place.lights.entries[index];
-            let arrival = *entry.arrival.get_or_insert_with(|| light.arrival(place.surface.point, light.location));
-            let known = entry.shadowed;
+            if place.lights.entries.len() <= order {
+                let arrival = light.arrival(place.surface.point, light.location);
+                place.lights.entries.push(Cached { arrival, shadowed: None });
+            }
+            let Cached { arrival, shadowed: known } = place.lights.entries[order];
             let sampled = light.area.filter(|a| a.illumination && self.options.area_lights());
             let lit = lit_side(skin, light, arrival.direction, place);
             if sampled.is_none() && (is_dark(arrival.color) || lit.is_none()) {
@@ -75,7 +73,7 @@ impl Tracer<'_> {
                 Some(known) => known,
                 None => {
                     let found = self.shadowed(place, light, &arrival, sampled.is_some());
-                    place.lights.entries[index].shadowed = Some(found);
+                    place.lights.entries[order].shadowed = Some(found);
                     found
                 }
             };
@@ -93,7 +91,7 @@ impl Tracer<'_> {
     }
 
     /// What a thin film makes of light from a direction; 1 without one.
-    fn film(&self, skin: &Skin<'_>, place: &Place<'_, '_>, direction: DVec3) -> Rgb {
+    fn film(&self, skin: &Skin<'_>, place: &Place<'_>, direction: DVec3) -> Rgb {
         if skin.finish.irid_amount == 0.0 {
             return Rgb::ONE;
         }
@@ -102,7 +100,7 @@ impl Tracer<'_> {
     }
 
     /// What a layer makes of light from one direction.
-    fn answer(&mut self, skin: &Skin<'_>, place: &Place<'_, '_>, beam: &Beam) -> Rgb {
+    fn answer(&mut self, skin: &Skin<'_>, place: &Place<'_>, beam: &Beam) -> Rgb {
         let finish = skin.finish;
         let mut answer = Rgb::ZERO;
         let amount = if beam.back { finish.diffuse_back } else { finish.diffuse };
@@ -122,7 +120,7 @@ impl Tracer<'_> {
     }
 
     /// Each sample of an area light shades by itself; all share one shadow, as in POV-Ray.
-    fn area_answer(&mut self, skin: &Skin<'_>, place: &Place<'_, '_>, light: &Light, area: &Area, shadow: Rgb) -> Rgb {
+    fn area_answer(&mut self, skin: &Skin<'_>, place: &Place<'_>, light: &Light, area: &Area, shadow: Rgb) -> Rgb {
         let point = place.surface.point;
         let axes = area.axes((light.location - point).normalize_or(DVec3::Z));
         let mut sum = Rgb::ZERO;
@@ -162,7 +160,7 @@ fn ratio(color: Rgb, of: Rgb) -> f32 {
 }
 
 /// How light from a direction falls on a layer, still without its colour; `None` if the surface stays dark.
-fn lit_side(skin: &Skin<'_>, light: &Light, direction: DVec3, place: &Place<'_, '_>) -> Option<Beam> {
+fn lit_side(skin: &Skin<'_>, light: &Light, direction: DVec3, place: &Place<'_>) -> Option<Beam> {
     let cosine = direction.dot(skin.normal);
     let front = cosine >= TURNED_AWAY || place.surface.double_illuminate;
     let back = !front && skin.finish.diffuse_back != 0.0;

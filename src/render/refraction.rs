@@ -58,7 +58,7 @@ pub(super) fn relative_ior(interiors: &Interiors, substance: &Substance) -> f64 
 
 fn crossing(interiors: &Interiors, substance: &Substance) -> Crossing {
     let own = substance.inside;
-    let mut list = interiors.clone();
+    let mut list = Interiors::from_slice(interiors);
     let samples = substance.dispersion_samples;
     let last = interiors.last();
     let Some(at) = interiors.iter().position(|i| i.key == own.key) else {
@@ -79,7 +79,7 @@ fn crossing(interiors: &Interiors, substance: &Substance) -> Crossing {
 
 impl Tracer<'_> {
     /// What fills the object behind a surface; `legacy` is the finish of a plain texture's top layer.
-    pub(super) fn substance(&self, surface: &Surface<'_>, legacy: Option<&Finish>) -> Substance {
+    pub(super) fn substance(&self, surface: &Surface, legacy: Option<&Finish>) -> Substance {
         let interior = self.world.interior(surface.interior.interior);
         let legacy_ior = legacy.and_then(|f| f.ior);
         Substance {
@@ -97,7 +97,7 @@ impl Tracer<'_> {
     /// Light that comes through a surface whose layers let `filter` through.
     pub(super) fn transmit(
         &mut self,
-        place: &Place<'_, '_>,
+        place: &Place<'_>,
         substance: &Substance,
         normal: DVec3,
         filter: Rgb,
@@ -146,7 +146,7 @@ impl Tracer<'_> {
     /// White light in bands of wavelengths, each bent by itself.
     fn split(
         &mut self,
-        place: &Place<'_, '_>,
+        place: &Place<'_>,
         crossing: &Crossing,
         normal: DVec3,
         weight: f32,
@@ -161,7 +161,7 @@ impl Tracer<'_> {
             let eta = dispersion::index_ratio(crossing.eta, crossing.dispersion, wavelength);
             let light = match refracted(path.ray.direction, normal, eta) {
                 Some(direction) => {
-                    let interiors = crossing.interiors.clone();
+                    let interiors = Interiors::from_slice(&crossing.interiors);
                     self.beyond(place, direction, weight, path.level + 1, interiors, Some(wavelength))
                 }
                 None => self.mirrored_within(place, normal, weight),
@@ -175,7 +175,7 @@ impl Tracer<'_> {
     /// Follows a ray to the far side.
     fn beyond(
         &mut self,
-        place: &Place<'_, '_>,
+        place: &Place<'_>,
         direction: DVec3,
         weight: f32,
         level: u32,
@@ -192,13 +192,13 @@ impl Tracer<'_> {
         self.trace(&Path { ray, range, kind, level, weight, interiors, wavelength })
     }
 
-    fn mirrored_within(&mut self, place: &Place<'_, '_>, normal: DVec3, weight: f32) -> Radiance {
+    fn mirrored_within(&mut self, place: &Place<'_>, normal: DVec3, weight: f32) -> Radiance {
         let direction = reflected(place.path.ray.direction, normal, place.facing);
         self.reflect(place, direction, weight)
     }
 
     /// Follows a ray on this side; its list of objects stays.
-    pub(super) fn reflect(&mut self, place: &Place<'_, '_>, direction: DVec3, weight: f32) -> Radiance {
+    pub(super) fn reflect(&mut self, place: &Place<'_>, direction: DVec3, weight: f32) -> Radiance {
         let path = place.path;
         if path.level >= self.world.settings.max_trace_level || weight < self.world.settings.adc_bailout {
             return Radiance::BLACK;
@@ -211,7 +211,7 @@ impl Tracer<'_> {
             kind: RayKind::Reflected,
             level: path.level + 1,
             weight,
-            interiors: path.interiors.clone(),
+            interiors: Interiors::from_slice(&path.interiors),
             wavelength: path.wavelength,
         })
     }

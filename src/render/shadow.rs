@@ -3,9 +3,9 @@
 //! Source: sections 3.5, 3.6 and 4 of the shading facts (measured).
 
 use super::layers::Place;
-use super::ray::Inside;
+use super::ray::{Inside, Interiors};
 use super::tracer::Tracer;
-use crate::compiled::geometry::{RayKind, Surface};
+use crate::compiled::geometry::{Hit, RayKind, Surface};
 use crate::compiled::light::{Area, Arrival, Light, is_dark};
 use crate::compiled::texture::{Context, Frame, Pick, Texture};
 use crate::math::{DVec3, Range, Ray, Rgb};
@@ -25,7 +25,7 @@ impl Tracer<'_> {
     ///
     /// With `bare` the light's own colour is filtered, without cone and fade: for lights whose
     /// samples each have their own.
-    pub(super) fn shadowed(&mut self, place: &Place<'_, '_>, light: &Light, arrival: &Arrival, bare: bool) -> Rgb {
+    pub(super) fn shadowed(&mut self, place: &Place<'_>, light: &Light, arrival: &Arrival, bare: bool) -> Rgb {
         let color = if bare { light.color } else { arrival.color };
         let casts = !light.shadowless && self.options.shadows();
         match &light.area {
@@ -35,7 +35,7 @@ impl Tracer<'_> {
     }
 
     /// A colour on its way from a light or one of its samples.
-    fn arriving(&mut self, place: &Place<'_, '_>, light: &Light, direction: DVec3, distance: f64, color: Rgb) -> Rgb {
+    fn arriving(&mut self, place: &Place<'_>, light: &Light, direction: DVec3, distance: f64, color: Rgb) -> Rgb {
         let mut reach = distance;
         if let Some(window) = &light.projected_through {
             let (ray, range) = place.surface.leave(direction);
@@ -52,7 +52,7 @@ impl Tracer<'_> {
         self.filtered(place, direction, reach, fogged.then_some(distance), color)
     }
 
-    fn area_shadow(&mut self, place: &Place<'_, '_>, light: &Light, area: &Area, color: Rgb) -> Rgb {
+    fn area_shadow(&mut self, place: &Place<'_>, light: &Light, area: &Area, color: Rgb) -> Rgb {
         let axes = area.axes((light.location - place.surface.point).normalize_or(DVec3::Z));
         let mut grid = AreaShadow { place, light, area, color, axes, known: vec![None; area.n1 * area.n2] };
         grid.block(self, [0, 0], [area.n1 - 1, area.n2 - 1], 0)
@@ -61,7 +61,7 @@ impl Tracer<'_> {
     /// A colour after all surfaces along a straight way of length `reach`, and after fog along `fogged`.
     fn filtered(
         &mut self,
-        place: &Place<'_, '_>,
+        place: &Place<'_>,
         direction: DVec3,
         reach: f64,
         fogged: Option<f64>,
@@ -92,12 +92,12 @@ impl Tracer<'_> {
             if surface.textures.iter().all(|t| self.world.opaque[t.texture.0 as usize]) {
                 return Rgb::ZERO;
             }
-            let interiors = interiors.get_or_insert_with(|| place.path.interiors.clone());
+            let interiors = interiors.get_or_insert_with(|| Interiors::from_slice(&place.path.interiors));
             if let Some(length) = &mut way {
                 color *= self.fog_on_the_way(&ray, hit.t, interiors);
                 *length -= hit.t;
             }
-            color *= self.surface_transmittance(&surface, &ray) * self.leaving_fade(&surface, hit.t, interiors);
+            color *= self.surface_transmittance(&surface, &hit, &ray) * self.leaving_fade(&surface, hit.t, interiors);
             if is_dark(color) {
                 return Rgb::ZERO;
             }
@@ -109,7 +109,7 @@ impl Tracer<'_> {
     }
 
     /// What fog leaves of a light along a part of its way, outside of solid objects.
-    fn fog_on_the_way(&self, ray: &Ray, length: f64, interiors: &super::ray::Interiors) -> Rgb {
+    fn fog_on_the_way(&self, ray: &Ray, length: f64, interiors: &Interiors) -> Rgb {
         if interiors.iter().all(|i| i.hollow) {
             super::atmosphere::fog_factor(self.world, ray, length)
         } else {
@@ -118,7 +118,7 @@ impl Tracer<'_> {
     }
 
     /// Attenuation inside the object that a shadow ray leaves here; keeps the list of objects.
-    fn leaving_fade(&self, surface: &Surface<'_>, length: f64, interiors: &mut super::ray::Interiors) -> Rgb {
+    fn leaving_fade(&self, surface: &Surface, length: f64, interiors: &mut Interiors) -> Rgb {
         let interior = self.world.interior(surface.interior.interior);
         match interiors.iter().position(|i| i.key == surface.interior) {
             Some(at) => {
@@ -135,7 +135,7 @@ impl Tracer<'_> {
     }
 
     /// What all textures of a surface let through.
-    fn surface_transmittance(&mut self, surface: &Surface<'_>, ray: &Ray) -> Rgb {
+    fn surface_transmittance(&mut self, surface: &Surface, hit: &Hit, ray: &Ray) -> Rgb {
         let direction = ray.direction;
         let facing = if surface.normal.dot(direction) > 0.0 { -surface.normal } else { surface.normal };
         let context =
@@ -147,7 +147,8 @@ impl Tracer<'_> {
             let (point, frame) = if surface.uv_mapping {
                 (context.uv_point(), Frame::default())
             } else {
-                (seen.texture_from_world.point(surface.point), Frame::new(&seen.texture_from_world))
+                let texture_from_world = self.world.geometry.texture_from_world(hit, seen);
+                (texture_from_world.point(surface.point), Frame::new(&texture_from_world))
             };
             let caustics = texture.top_layer().and_then(|top| top.finish.caustics).unwrap_or(caustics);
             sum += seen.weight * self.transmittance(texture, point, &frame, &context, caustics);
@@ -190,8 +191,8 @@ impl Tracer<'_> {
 }
 
 /// A grid of lights seen from one place; each sample is looked at once.
-struct AreaShadow<'a, 'p, 's> {
-    place: &'a Place<'p, 's>,
+struct AreaShadow<'a, 'p> {
+    place: &'a Place<'p>,
     light: &'a Light,
     area: &'a Area,
     color: Rgb,
@@ -199,7 +200,7 @@ struct AreaShadow<'a, 'p, 's> {
     known: Vec<Option<Rgb>>,
 }
 
-impl AreaShadow<'_, '_, '_> {
+impl AreaShadow<'_, '_> {
     fn sample(&mut self, tracer: &mut Tracer<'_>, i: usize, j: usize) -> Rgb {
         let at = j * self.area.n1 + i;
         if let Some(known) = self.known[at] {

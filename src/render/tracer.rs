@@ -4,6 +4,7 @@ use super::camera::RawRay;
 use super::focal_blur::Lens;
 use super::gather::{Gather, Term};
 use super::layers::Place;
+use super::lights::LightCache;
 use super::options::Options;
 use super::random::Random;
 use super::ray::{Inside, Interiors, Path, Radiance, Statistics};
@@ -30,6 +31,7 @@ pub(super) struct Tracer<'w> {
     pub(super) statistics: Statistics,
     /// Whether shadow rays need no more than a yes or no.
     pub(super) all_opaque: bool,
+    has_interiors: bool,
     /// Where the camera is, for projections with one centre.
     camera_interiors: Option<Interiors>,
     /// Of a camera with depth of field.
@@ -46,6 +48,7 @@ impl<'w> Tracer<'w> {
             random: Random::default(),
             statistics: Statistics::default(),
             all_opaque: world.all_opaque(),
+            has_interiors: world.geometry.has_interiors(),
             camera_interiors: None,
             lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(blur))),
         };
@@ -84,7 +87,7 @@ impl<'w> Tracer<'w> {
         self.statistics.camera_rays += 1;
         let known = self.camera_interiors.is_some() && self.is_clear(ray.origin);
         let interiors = match &self.camera_interiors {
-            Some(known_interiors) if known => known_interiors.clone(),
+            Some(known_interiors) if known => Interiors::from_slice(known_interiors),
             _ => self.interiors_at(ray.origin),
         };
         let range = Range { min: CAMERA_NEAR, max: far };
@@ -106,6 +109,9 @@ impl<'w> Tracer<'w> {
     }
 
     fn interiors_at(&self, point: DVec3) -> Interiors {
+        if !self.has_interiors {
+            return Interiors::new();
+        }
         let entry = |key: crate::compiled::geometry::InteriorKey| {
             let interior = self.world.interior(key.interior);
             Inside {
@@ -148,7 +154,8 @@ impl<'w> Tracer<'w> {
         let facing = if surface.normal.dot(direction) > 0.0 { -surface.normal } else { surface.normal };
         let context =
             Context { uv: surface.uv, normal: facing, perturbed_normal: facing, direction, point: surface.point };
-        let mut place = Place::new(path, &surface, facing, context, hit.t, world.lights.len());
+        let lights = LightCache::default();
+        let mut place = Place { path, surface: &surface, facing, context, length: hit.t, lights };
         for seen in &surface.textures {
             if seen.weight < world.settings.adc_bailout {
                 continue;
@@ -157,8 +164,9 @@ impl<'w> Tracer<'w> {
             let shaded: G = if surface.uv_mapping {
                 self.shade_texture(texture, context.uv_point(), &Frame::default(), &mut place, true)
             } else {
-                let point = seen.texture_from_world.point(surface.point);
-                let frame = Frame::new(&seen.texture_from_world);
+                let texture_from_world = world.geometry.texture_from_world(hit, seen);
+                let point = texture_from_world.point(surface.point);
+                let frame = Frame::new(&texture_from_world);
                 self.shade_texture(texture, point, &frame, &mut place, true)
             };
             found.add_scaled(&shaded, seen.weight);

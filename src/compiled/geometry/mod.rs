@@ -39,6 +39,7 @@ pub(crate) use shape::{
 
 use crate::math::{Bounds, DVec3, Range, Ray};
 use record::Path;
+use smallvec::SmallVec;
 use walk::Walk;
 
 /// All objects of a scene, or of one object that is asked about.
@@ -91,10 +92,15 @@ impl Geometry {
         walk.best
     }
 
+    /// Whether any object has an interior.
+    pub fn has_interiors(&self) -> bool {
+        self.looks.iter().any(|look| look.interior.is_some())
+    }
+
     /// The interiors of frame-level objects that contain the point, in file order. As in POV-Ray, inverted
     /// finite objects do not count as containing the space around them.
-    pub fn containing(&self, point: DVec3) -> Vec<InteriorKey> {
-        let mut found = Vec::new();
+    pub fn containing(&self, point: DVec3) -> SmallVec<[InteriorKey; 4]> {
+        let mut found = SmallVec::<[_; 4]>::new();
         self.gather(&self.root, point, &mut Path::default(), &mut |geometry, item, path| {
             found.extend(geometry.item_interior(item, path));
             true

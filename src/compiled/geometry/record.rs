@@ -1,8 +1,7 @@
 //! What a ray asks for and what it gets back.
 
-use crate::math::{DVec3, Range, Ray, Transform, Uv};
+use crate::math::{DVec3, Range, Ray, Uv};
 use smallvec::SmallVec;
-use std::borrow::Cow;
 
 /// Who sends the ray; decides which objects it passes by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,19 +86,30 @@ pub struct Hit {
 }
 
 /// One texture seen at a hit, with its share.
-#[derive(Clone, Debug)]
-pub struct TextureRef<'a> {
+#[derive(Clone, Copy, Debug)]
+pub struct TextureRef {
     /// Which texture.
     pub texture: TextureId,
     /// Share among all textures of the hit; they add up to 1.
     pub weight: f32,
-    /// Takes world space to the space in which the texture was written.
-    pub texture_from_world: Cow<'a, Transform>,
+    /// In which space it was written: for [`Geometry::texture_from_world`](super::Geometry::texture_from_world).
+    pub(super) place: TexturePlace,
+}
+
+/// The space in which a texture was written; its map from the world is worked out for those who ask.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum TexturePlace {
+    /// Of a placement, inside so many instances of the hit's path.
+    Placement { index: u32, depth: u8 },
+    /// Of the shape itself.
+    Shape,
+    /// Of a component of a blob, by its number.
+    Component(u32),
 }
 
 /// Everything about the place a ray hit.
 #[derive(Clone, Debug)]
-pub struct Surface<'a> {
+pub struct Surface {
     /// World position, moved onto the surface.
     pub point: DVec3,
     /// Bound of the distance between `point` and the true surface, world units.
@@ -113,7 +123,7 @@ pub struct Surface<'a> {
     /// Whether the ray hits the back: raw `normal` along the direction.
     pub from_inside: bool,
     /// Which textures show, already chosen for this side; empty means black and opaque.
-    pub textures: SmallVec<[TextureRef<'a>; 1]>,
+    pub textures: SmallVec<[TextureRef; 1]>,
     /// Textures are looked up at (u, v, 0).
     pub uv_mapping: bool,
     /// What fills the object.
@@ -132,7 +142,7 @@ pub struct Surface<'a> {
 /// this surface, the rest for the rounding of the next intersection test near it.
 const LEAVE_FACTOR: f64 = 4.0;
 
-impl Surface<'_> {
+impl Surface {
     /// A ray that leaves the surface along `direction` (unit, world), with its range.
     ///
     /// The origin is moved off the surface along the geometric normal by a few times

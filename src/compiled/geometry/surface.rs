@@ -2,7 +2,7 @@
 
 use super::Geometry;
 use super::graph::{Look, NodeKind, Operation, Primitive};
-use super::record::{Hit, InteriorKey, ObjectId, Path, Surface, TextureId, TextureRef};
+use super::record::{Hit, InteriorKey, ObjectId, Path, Surface, TextureId, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
@@ -13,14 +13,14 @@ use std::borrow::Cow;
 #[derive(Clone, Copy)]
 struct Inherited {
     look: Look,
-    texture_depth: usize,
-    interior_texture_depth: usize,
-    interior_depth: usize,
+    texture_depth: u8,
+    interior_texture_depth: u8,
+    interior_depth: u8,
 }
 
 impl Inherited {
     /// Takes from what contains it what is missing (shape facts, section 12.2).
-    fn inherit(&mut self, outer: &Look, depth: usize) {
+    fn inherit(&mut self, outer: &Look, depth: u8) {
         let look = &mut self.look;
         // The odd rule of POV-Ray: one of the two missing is enough.
         if outer.uv_mapping && (look.texture.is_none() || look.interior_texture.is_none()) {
@@ -46,7 +46,7 @@ impl Inherited {
     fn interior_key(&self, path: &Path) -> InteriorKey {
         InteriorKey {
             interior: self.look.interior.unwrap_or_default(),
-            instance: instance_number(&path.steps()[..self.interior_depth]),
+            instance: instance_number(&path.steps()[..usize::from(self.interior_depth)]),
         }
     }
 }
@@ -81,7 +81,7 @@ impl Geometry {
     }
 
     /// The full record of a hit that [`intersect`](Self::intersect) gave for the same ray.
-    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface<'_> {
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let primitive = &self.primitives[hit.primitive as usize];
         let world_from_group = self.world_from(&hit.path, hit.path.steps().len());
         let group_ray = world_from_group.as_ref().map_or(*ray, |w| w.inverse_ray(ray));
@@ -128,7 +128,37 @@ impl Geometry {
         }
     }
 
+    /// Takes world space to the space in which a texture of a hit was written.
+    pub fn texture_from_world(&self, hit: &Hit, seen: &TextureRef) -> Cow<'_, Transform> {
+        let local_from_world = || {
+            let primitive = &self.primitives[hit.primitive as usize];
+            let local = primitive.group_from_local.as_deref().copied().unwrap_or_default();
+            let world = self.world_from(&hit.path, hit.path.steps().len()).unwrap_or_default();
+            local.then(&world).inverse()
+        };
+        match seen.place {
+            TexturePlace::Placement { index, depth } => {
+                let placement = &self.placements[index as usize].texture_from_group;
+                match self.world_from(&hit.path, depth.into()) {
+                    None => Cow::Borrowed(placement),
+                    Some(world_from_group) => Cow::Owned(world_from_group.inverse().then(placement)),
+                }
+            }
+            TexturePlace::Shape => Cow::Owned(local_from_world()),
+            TexturePlace::Component(i) => {
+                let own = match &self.primitives[hit.primitive as usize].shape {
+                    Shape::Blob(blob) => {
+                        blob.parts[i as usize].texture.map(|(_, component_from_blob)| component_from_blob)
+                    }
+                    _ => None,
+                };
+                Cow::Owned(local_from_world().then(&own.unwrap_or_default()))
+            }
+        }
+    }
+
     /// Takes the space inside the first `depth` instances of a path to the world; `None` for none.
+    #[inline]
     fn world_from(&self, path: &Path, depth: usize) -> Option<Transform> {
         path.steps()[..depth]
             .iter()
@@ -138,22 +168,24 @@ impl Geometry {
     }
 
     /// A primitive's looks with all that it inherits through the instances around it.
+    #[inline]
     fn looks_of(&self, look: u32, path: &Path) -> Inherited {
-        let depth = path.steps().len();
+        let depth = path.steps().len() as u8;
         let mut inherited = Inherited {
             look: self.looks[look as usize],
             texture_depth: depth,
             interior_texture_depth: depth,
             interior_depth: depth,
         };
-        for (i, step) in path.steps().iter().enumerate().rev() {
+        for (step, depth) in path.steps().iter().zip(0..depth).rev() {
             let outer = &self.looks[self.instances[*step as usize].look as usize];
-            inherited.inherit(outer, i);
+            inherited.inherit(outer, depth);
         }
         inherited
     }
 
     /// Which textures show at a hit; `points` are the local and the group's coordinates.
+    #[inline]
     fn textures_of(
         &self,
         primitive: &Primitive,
@@ -161,53 +193,59 @@ impl Geometry {
         hit: &Hit,
         from_inside: bool,
         points: (DVec3, DVec3),
-    ) -> SmallVec<[TextureRef<'_>; 1]> {
+    ) -> SmallVec<[TextureRef; 1]> {
         let look = &inherited.look;
         let of_parts = matches!(&primitive.shape, Shape::Blob(_) | Shape::Mesh(_));
-        if !of_parts && look.cutaway.is_none() && !(from_inside && look.interior_texture.is_some()) {
-            // By far the most: one texture for the whole object.
-            let placed = look
-                .texture
-                .and_then(|texture| self.placed((texture, 1.0), &hit.path, inherited.texture_depth, look.uv_mapping));
-            return placed.map_or_else(SmallVec::new, |texture| smallvec::smallvec![texture]);
+        if of_parts || look.cutaway.is_some() || (from_inside && look.interior_texture.is_some()) {
+            return self.textures_of_parts(primitive, inherited, hit, from_inside, points);
         }
+        // By far the most: one texture for the whole object.
+        let texture = look.texture.map(|texture| self.placed(texture, 1.0, inherited.texture_depth));
+        texture.into_iter().collect()
+    }
+
+    /// The same where the side, the part or the place may decide.
+    fn textures_of_parts(
+        &self,
+        primitive: &Primitive,
+        inherited: &Inherited,
+        hit: &Hit,
+        from_inside: bool,
+        (point_local, point_group): (DVec3, DVec3),
+    ) -> SmallVec<[TextureRef; 1]> {
+        let look = &inherited.look;
+        let whole = |weight: f32| look.texture.map(|texture| self.placed(texture, weight, inherited.texture_depth));
         let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.parts.iter().any(|p| p.texture.is_some()));
         if from_inside
             && !mixes
             && let Some(placement) = look.interior_texture
         {
-            return self
-                .placed((placement, 1.0), &hit.path, inherited.interior_texture_depth, look.uv_mapping)
-                .into_iter()
-                .collect();
+            return smallvec::smallvec![self.placed(placement, 1.0, inherited.interior_texture_depth)];
         }
         if let Shape::Blob(blob) = &primitive.shape {
-            let mixed = blob.textures(points.0);
+            let mixed = blob.textures(point_local);
             if !mixed.is_empty() {
-                let place = self.place_of(primitive, look.uv_mapping, &hit.path);
-                let seen = |(own, weight): (Option<(TextureId, Transform)>, f32)| match own {
-                    Some((texture, texture_from_blob)) => {
-                        let texture_from_world = Cow::Owned(place.then(&texture_from_blob));
-                        Some(TextureRef { texture, weight, texture_from_world })
+                let seen = |(component, weight): (u32, f32)| match blob.parts[component as usize].texture {
+                    Some((texture, _)) => {
+                        Some(TextureRef { texture, weight, place: TexturePlace::Component(component) })
                     }
-                    None => self.placed((look.texture?, weight), &hit.path, inherited.texture_depth, look.uv_mapping),
+                    None => whole(weight),
                 };
                 return mixed.into_iter().filter_map(seen).collect();
             }
         }
-        let own = self.textures_of_part(&primitive.shape, hit.part, points.0);
+        let own = self.textures_of_part(&primitive.shape, hit.part, point_local);
         if !own.is_empty() {
-            let place = self.place_of(primitive, look.uv_mapping, &hit.path);
-            return own
-                .into_iter()
-                .map(|(texture, weight)| TextureRef { texture, weight, texture_from_world: Cow::Owned(place) })
-                .collect();
+            let place = TexturePlace::Shape;
+            return own.into_iter().map(|(texture, weight)| TextureRef { texture, weight, place }).collect();
         }
-        let chosen = match look.cutaway {
-            Some(root) if self.looks[primitive.look as usize].texture.is_none() => self.cutaway(root, points.1),
-            _ => look.texture.into_iter().map(|p| (p, 1.0)).collect(),
-        };
-        chosen.into_iter().filter_map(|p| self.placed(p, &hit.path, inherited.texture_depth, look.uv_mapping)).collect()
+        match look.cutaway {
+            Some(root) if self.looks[primitive.look as usize].texture.is_none() => {
+                let cut = self.cutaway(root, point_group);
+                cut.into_iter().map(|(p, weight)| self.placed(p, weight, inherited.texture_depth)).collect()
+            }
+            _ => whole(1.0).into_iter().collect(),
+        }
     }
 
     /// Textures that belong to parts of a shape, with weights.
@@ -218,32 +256,11 @@ impl Geometry {
         }
     }
 
-    /// Textures of parts move with their object, except under uv mapping.
-    fn place_of(&self, primitive: &Primitive, uv_mapping: bool, path: &Path) -> Transform {
-        if uv_mapping {
-            return Transform::IDENTITY;
-        }
-        let local = primitive.group_from_local.as_deref().copied().unwrap_or_default();
-        let world = self.world_from(path, path.steps().len()).unwrap_or_default();
-        local.then(&world).inverse()
-    }
-
-    /// A placement seen from the world.
-    fn placed(
-        &self,
-        (placement, weight): (u32, f32),
-        path: &Path,
-        depth: usize,
-        uv_mapping: bool,
-    ) -> Option<TextureRef<'_>> {
-        let placement = self.placements.get(placement as usize)?;
-        // Under uv mapping textures do not move with their object.
-        let depth = if uv_mapping { 0 } else { depth };
-        let texture_from_world = match self.world_from(path, depth) {
-            None => Cow::Borrowed(&placement.texture_from_group),
-            Some(world_from_group) => Cow::Owned(world_from_group.inverse().then(&placement.texture_from_group)),
-        };
-        Some(TextureRef { texture: placement.texture, weight, texture_from_world })
+    /// A placement inside so many instances.
+    #[inline]
+    fn placed(&self, placement: u32, weight: f32, depth: u8) -> TextureRef {
+        let texture = self.placements[placement as usize].texture;
+        TextureRef { texture, weight, place: TexturePlace::Placement { index: placement, depth } }
     }
 
     /// Textures of the parts of a solid that contain a point of a cut, evenly weighted at each

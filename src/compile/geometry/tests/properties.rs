@@ -224,7 +224,7 @@ fn follow(case: &Case, geometry: &Geometry, place: &Transform, ray: &Ray, random
 }
 
 /// On through all surfaces: in and out by turns, and out at the end.
-fn through<'a>(case: &Case, geometry: &'a Geometry, ray: &Ray, first: Surface<'a>, f: &mut Failures) {
+fn through(case: &Case, geometry: &Geometry, ray: &Ray, first: Surface, f: &mut Failures) {
     let mut scratch = Scratch::default();
     let leaves = first.geometric_normal.dot(ray.direction) > 0.0;
     let mut inside = if case.kind == Kind::Open { leaves } else { geometry.contains(ray.origin) };
@@ -245,7 +245,7 @@ fn through<'a>(case: &Case, geometry: &'a Geometry, ray: &Ray, first: Surface<'a
 
 /// Whether the normal is the field's gradient, by differences in the shape's own space, except next to
 /// edges: where differences on both sides are not the same.
-fn agrees(field: Field, tolerance: f64, place: &Transform, surface: &Surface<'_>) -> bool {
+fn agrees(field: Field, tolerance: f64, place: &Transform, surface: &Surface) -> bool {
     // Third derivatives are of order one: the error is of order step^2, and rounding / step below that.
     const STEP: f64 = 1e-5;
     // A thousand times the step, for the curvature of small radii.

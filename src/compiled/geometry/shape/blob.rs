@@ -144,16 +144,15 @@ impl Blob {
         self.parts.iter().map(|part| part.sample(p).0).sum()
     }
 
-    /// Textures of the parts around a point with their weights; parts without one stand for the
-    /// blob's own (`None`). Empty if no part has a texture.
-    pub(crate) fn textures(&self, p: DVec3) -> SmallVec<[(OwnTexture, f32); 4]> {
+    /// The parts felt at a point, by number, with their shares in the texture. Empty if no part has a texture.
+    pub(crate) fn textures(&self, p: DVec3) -> SmallVec<[(u32, f32); 4]> {
         if self.parts.iter().all(|part| part.texture.is_none()) {
             return SmallVec::new();
         }
-        let weights = self.parts.iter().map(|part| (part.texture, part.sample(p).0.abs()));
+        let weights = self.parts.iter().zip(0..).map(|(part, i)| (i, part.sample(p).0.abs()));
         let felt: SmallVec<[_; 4]> = weights.filter(|(_, w)| *w > 0.0).collect();
         let sum: f64 = felt.iter().map(|(_, w)| w).sum();
-        felt.into_iter().map(|(texture, w)| (texture, (w / sum) as f32)).collect()
+        felt.into_iter().map(|(i, w)| (i, (w / sum) as f32)).collect()
     }
 }
 

@@ -8,7 +8,7 @@ use crate::eval::{Options, evaluate};
 use crate::math::{DVec2, DVec3, Range, Ray};
 
 /// What a ray meets first in a whole scene.
-fn met<T>(scene: &str, origin: [f64; 3], direction: [f64; 3], of: impl Fn(&Surface<'_>) -> T) -> T {
+fn met<T>(scene: &str, origin: [f64; 3], direction: [f64; 3], of: impl Fn(&Surface) -> T) -> T {
     let text = format!("#version 3.7; {scene}");
     let read = evaluate("a.pov".as_ref(), &Options::default(), &host(&text), &Queries::default());
     let read = read.unwrap_or_else(|failed| panic!("{:?}\n{text}", failed.diagnostics));
