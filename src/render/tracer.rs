@@ -31,7 +31,8 @@ pub(super) struct Tracer<'w> {
     pub(super) statistics: Statistics,
     /// Whether shadow rays need no more than a yes or no.
     pub(super) all_opaque: bool,
-    has_interiors: bool,
+    /// Whether it makes a difference which objects a camera ray starts in.
+    interiors_matter: bool,
     /// Where the camera is, for projections with one centre.
     camera_interiors: Option<Interiors>,
     /// Of a camera with depth of field.
@@ -48,7 +49,7 @@ impl<'w> Tracer<'w> {
             random: Random::default(),
             statistics: Statistics::default(),
             all_opaque: world.all_opaque(),
-            has_interiors: world.geometry.has_interiors(),
+            interiors_matter: world.interiors_matter(),
             camera_interiors: None,
             lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(blur))),
         };
@@ -109,7 +110,7 @@ impl<'w> Tracer<'w> {
     }
 
     fn interiors_at(&self, point: DVec3) -> Interiors {
-        if !self.has_interiors {
+        if !self.interiors_matter {
             return Interiors::new();
         }
         let entry = |key: crate::compiled::geometry::InteriorKey| {

@@ -92,11 +92,6 @@ impl Geometry {
         walk.best
     }
 
-    /// Whether any object has an interior.
-    pub fn has_interiors(&self) -> bool {
-        self.looks.iter().any(|look| look.interior.is_some())
-    }
-
     /// The interiors of frame-level objects that contain the point, in file order. As in POV-Ray, inverted
     /// finite objects do not count as containing the space around them.
     pub fn containing(&self, point: DVec3) -> SmallVec<[InteriorKey; 4]> {

@@ -8,45 +8,47 @@ use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
 use std::borrow::Cow;
 
-/// Looks gathered on the way from a primitive to the world, with where each part was found:
-/// the number of instances around the object that gave it.
+/// Looks gathered on the way from a primitive to the world.
+struct Inherited<'a> {
+    look: Cow<'a, Look>,
+    depths: Depths,
+}
+
+/// Where each part of some looks was found: the number of instances around the object that gave it.
 #[derive(Clone, Copy)]
-struct Inherited {
-    look: Look,
-    texture_depth: u8,
-    interior_texture_depth: u8,
-    interior_depth: u8,
+struct Depths {
+    texture: u8,
+    interior_texture: u8,
+    interior: u8,
 }
 
-impl Inherited {
-    /// Takes from what contains it what is missing (shape facts, section 12.2).
-    fn inherit(&mut self, outer: &Look, depth: u8) {
-        let look = &mut self.look;
-        // The odd rule of POV-Ray: one of the two missing is enough.
-        if outer.uv_mapping && (look.texture.is_none() || look.interior_texture.is_none()) {
-            look.uv_mapping = true;
-        }
-        if look.texture.is_none() && outer.texture.is_some() {
-            (look.texture, self.texture_depth) = (outer.texture, depth);
-        }
-        if look.interior_texture.is_none() && outer.interior_texture.is_some() {
-            (look.interior_texture, self.interior_texture_depth) = (outer.interior_texture, depth);
-        }
-        if look.interior.is_none() && outer.interior.is_some() {
-            (look.interior, self.interior_depth) = (outer.interior, depth);
-        }
-        look.double_illuminate = outer.double_illuminate.or(look.double_illuminate);
-        look.object = outer.object;
-        look.light_group = outer.light_group.or(look.light_group);
+/// Takes from what contains it what some looks lack (shape facts, section 12.2).
+fn inherit(look: &mut Look, depths: &mut Depths, outer: &Look, depth: u8) {
+    // The odd rule of POV-Ray: one of the two missing is enough.
+    if outer.uv_mapping && (look.texture.is_none() || look.interior_texture.is_none()) {
+        look.uv_mapping = true;
     }
+    if look.texture.is_none() && outer.texture.is_some() {
+        (look.texture, depths.texture) = (outer.texture, depth);
+    }
+    if look.interior_texture.is_none() && outer.interior_texture.is_some() {
+        (look.interior_texture, depths.interior_texture) = (outer.interior_texture, depth);
+    }
+    if look.interior.is_none() && outer.interior.is_some() {
+        (look.interior, depths.interior) = (outer.interior, depth);
+    }
+    look.double_illuminate = outer.double_illuminate.or(look.double_illuminate);
+    look.object = outer.object;
+    look.light_group = outer.light_group.or(look.light_group);
 }
 
-impl Inherited {
+impl Inherited<'_> {
     /// Identity of the interior that was found.
+    #[inline]
     fn interior_key(&self, path: &Path) -> InteriorKey {
         InteriorKey {
             interior: self.look.interior.unwrap_or_default(),
-            instance: instance_number(&path.steps()[..usize::from(self.interior_depth)]),
+            instance: instance_number(&path.steps()[..usize::from(self.depths.interior)]),
         }
     }
 }
@@ -68,7 +70,8 @@ impl Geometry {
     /// Much cheaper than the [`surface`](Self::surface); where that would have to say, `false`.
     pub fn blocks_light(&self, hit: &Hit, opaque: &[bool]) -> bool {
         let primitive = &self.primitives[hit.primitive as usize];
-        let look = self.looks_of(primitive.look, &hit.path).look;
+        let inherited = self.looks_of(primitive.look, &hit.path);
+        let look = &inherited.look;
         let own = self.textures_of_part(&primitive.shape, hit.part, DVec3::ZERO);
         let blocks = |placement: u32| {
             let texture = self.placements.get(placement as usize).map(|p| p.texture);
@@ -84,25 +87,29 @@ impl Geometry {
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let primitive = &self.primitives[hit.primitive as usize];
         let world_from_group = self.world_from(&hit.path, hit.path.steps().len());
-        let group_ray = world_from_group.as_ref().map_or(*ray, |w| w.inverse_ray(ray));
-        let local_ray = primitive.group_from_local.as_ref().map_or(group_ray, |place| place.inverse_ray(&group_ray));
-        let local = primitive.shape.surface(&local_ray, hit.t, hit.part);
+        let places = [primitive.group_from_local.as_deref(), world_from_group.as_ref()];
+        let local = match places {
+            [None, None] => primitive.shape.surface(ray, hit.t, hit.part),
+            [local, world] => {
+                let inward = |ray: Ray, place: Option<&Transform>| place.map_or(ray, |place| place.inverse_ray(&ray));
+                primitive.shape.surface(&inward(inward(*ray, world), local), hit.t, hit.part)
+            }
+        };
 
         let sign = if primitive.inverse { -1.0 } else { 1.0 };
         let (mut point, mut error) = (local.point, local.error);
         let (mut geometric, mut shading) = (local.normal * sign, local.shading_normal.map(|n| n * sign));
-        let mut group_point = point;
-        for (i, place) in [primitive.group_from_local.as_deref(), world_from_group.as_ref()].into_iter().enumerate() {
+        let mut outward = |place: Option<&Transform>| {
             if let Some(place) = place {
                 error = transformed_point_error(place, point, error);
                 point = place.point(point);
                 geometric = place.normal(geometric);
                 shading = shading.map(|n| place.normal(n));
             }
-            if i == 0 {
-                group_point = point;
-            }
-        }
+            point
+        };
+        let group_point = outward(places[0]);
+        outward(places[1]);
         let geometric_normal = geometric.try_normalize().unwrap_or(-ray.direction);
         let normal = shading.and_then(DVec3::try_normalize).unwrap_or(geometric_normal);
         let from_inside = normal.dot(ray.direction) > 0.0;
@@ -169,17 +176,17 @@ impl Geometry {
 
     /// A primitive's looks with all that it inherits through the instances around it.
     #[inline]
-    fn looks_of(&self, look: u32, path: &Path) -> Inherited {
+    fn looks_of(&self, look: u32, path: &Path) -> Inherited<'_> {
+        let own = &self.looks[look as usize];
         let depth = path.steps().len() as u8;
-        let mut inherited = Inherited {
-            look: self.looks[look as usize],
-            texture_depth: depth,
-            interior_texture_depth: depth,
-            interior_depth: depth,
-        };
-        for (step, depth) in path.steps().iter().zip(0..depth).rev() {
-            let outer = &self.looks[self.instances[*step as usize].look as usize];
-            inherited.inherit(outer, depth);
+        let depths = Depths { texture: depth, interior_texture: depth, interior: depth };
+        let mut inherited = Inherited { look: Cow::Borrowed(own), depths };
+        if depth > 0 {
+            let look = inherited.look.to_mut();
+            for (step, depth) in path.steps().iter().zip(0..depth).rev() {
+                let outer = &self.looks[self.instances[*step as usize].look as usize];
+                inherit(look, &mut inherited.depths, outer, depth);
+            }
         }
         inherited
     }
@@ -189,7 +196,7 @@ impl Geometry {
     fn textures_of(
         &self,
         primitive: &Primitive,
-        inherited: &Inherited,
+        inherited: &Inherited<'_>,
         hit: &Hit,
         from_inside: bool,
         points: (DVec3, DVec3),
@@ -200,27 +207,30 @@ impl Geometry {
             return self.textures_of_parts(primitive, inherited, hit, from_inside, points);
         }
         // By far the most: one texture for the whole object.
-        let texture = look.texture.map(|texture| self.placed(texture, 1.0, inherited.texture_depth));
-        texture.into_iter().collect()
+        let mut textures = SmallVec::new();
+        if let Some(texture) = look.texture {
+            textures.push(self.placed(texture, 1.0, inherited.depths.texture));
+        }
+        textures
     }
 
     /// The same where the side, the part or the place may decide.
     fn textures_of_parts(
         &self,
         primitive: &Primitive,
-        inherited: &Inherited,
+        inherited: &Inherited<'_>,
         hit: &Hit,
         from_inside: bool,
         (point_local, point_group): (DVec3, DVec3),
     ) -> SmallVec<[TextureRef; 1]> {
         let look = &inherited.look;
-        let whole = |weight: f32| look.texture.map(|texture| self.placed(texture, weight, inherited.texture_depth));
+        let whole = |weight: f32| look.texture.map(|texture| self.placed(texture, weight, inherited.depths.texture));
         let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.parts.iter().any(|p| p.texture.is_some()));
         if from_inside
             && !mixes
             && let Some(placement) = look.interior_texture
         {
-            return smallvec::smallvec![self.placed(placement, 1.0, inherited.interior_texture_depth)];
+            return smallvec::smallvec![self.placed(placement, 1.0, inherited.depths.interior_texture)];
         }
         if let Shape::Blob(blob) = &primitive.shape {
             let mixed = blob.textures(point_local);
@@ -242,7 +252,7 @@ impl Geometry {
         match look.cutaway {
             Some(root) if self.looks[primitive.look as usize].texture.is_none() => {
                 let cut = self.cutaway(root, point_group);
-                cut.into_iter().map(|(p, weight)| self.placed(p, weight, inherited.texture_depth)).collect()
+                cut.into_iter().map(|(p, weight)| self.placed(p, weight, inherited.depths.texture)).collect()
             }
             _ => whole(1.0).into_iter().collect(),
         }

@@ -92,6 +92,11 @@ impl Texture {
         }
     }
 
+    /// Whether a legacy finish gives the object an index of refraction.
+    pub fn bends_light(&self) -> bool {
+        self.top_layer().is_some_and(|top| top.finish.ior.is_some())
+    }
+
     /// The uppermost layer, if this is a plain texture.
     pub fn top_layer(&self) -> Option<&Layer> {
         match self {
