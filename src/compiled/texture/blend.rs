@@ -75,14 +75,14 @@ impl<T> Blend<T> {
         if value >= values[last] {
             return Pick::One(&items[last]);
         }
-        // The last entry lies above the value, so there is a first such entry unless it is NaN.
+        // The last entry lies above the value, so there is a first such entry unless the value is NaN.
         let j = if sorted && values.len() > FEW {
-            values.partition_point(|e| *e < value)
+            values.partition_point(|e| *e < value).min(last)
         } else {
             values.iter().position(|e| *e >= value).unwrap_or(0)
         };
-        if j == 0 || j > last || values[j] == value || value.is_nan() {
-            return Pick::One(&items[if value.is_nan() { 0 } else { j.min(last) }]);
+        if j == 0 || values[j] == value {
+            return Pick::One(&items[j]);
         }
         let share = (value - values[j - 1]) / (values[j] - values[j - 1]);
         Pick::Two(&items[j - 1], &items[j], share as f32)

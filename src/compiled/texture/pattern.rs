@@ -1,8 +1,8 @@
 //! A pattern: how a point is moved, its formula, and the wave over the value.
 
 use super::{
-    Blend, Crackle, DensityFile, Fractal, InnerTurbulence, Mapping, Pavement, Pigment, Raster, Slope, Tiling, Warp,
-    WaveSources, formula,
+    Blend, Crackle, DensityFile, Fractal, InnerTurbulence, Mapping, Pavement, Pick, Pigment, Raster, Slope, Tiling,
+    Warp, WaveSources, formula,
 };
 use crate::compiled::geometry::Geometry;
 use crate::function::Function;
@@ -144,11 +144,13 @@ impl Pattern {
     }
 
     /// The value at a point of the containing space.
+    #[inline]
     pub fn value(&self, point: DVec3, context: &Context) -> f64 {
         self.value_at_warped(self.warp(point), context)
     }
 
     /// The value at a point that [`warp`](Self::warp) gave.
+    #[inline]
     pub fn value_at_warped(&self, point: DVec3, context: &Context) -> f64 {
         let raw = formula::value(self, point, context);
         shape(raw, self.frequency, self.phase, self.wave)
@@ -160,26 +162,39 @@ impl Pattern {
         (self.value_at_warped(warped, context), warped)
     }
 
+    /// What stands at a point that [`warp`](Self::warp) gave.
+    #[inline]
+    pub fn pick_at_warped<'a, T>(&self, items: &'a Blend<T>, warped: DVec3, context: &Context) -> Pick<'a, T> {
+        let value = if let Blend::Average(_) = items { 0.0 } else { self.value_at_warped(warped, context) };
+        items.pick(value)
+    }
+
     /// What stands at a point, and the warped point.
     #[inline]
-    pub fn pick<'a, T>(&self, items: &'a Blend<T>, point: DVec3, context: &Context) -> (super::Pick<'a, T>, DVec3) {
+    pub fn pick<'a, T>(&self, items: &'a Blend<T>, point: DVec3, context: &Context) -> (Pick<'a, T>, DVec3) {
         let warped = self.warp(point);
-        let value = if let Blend::Average(_) = items { 0.0 } else { self.value_at_warped(warped, context) };
-        (items.pick(value), warped)
+        (self.pick_at_warped(items, warped, context), warped)
     }
 }
 
 /// POV-Ray's period of a value: a little more than 1, so that 1 itself stays.
 const POV_PERIOD: f64 = 1.000_01;
 
+/// The remainder by the period, with the value's sign.
+#[inline]
+fn remainder(v: f64) -> f64 {
+    // Most values lie in the first two periods, where one subtraction is exact (Sterbenz) and cheap.
+    match v.abs() {
+        size if size < POV_PERIOD => v,
+        size if size < 2.0 * POV_PERIOD => v - POV_PERIOD.copysign(v),
+        _ => v % POV_PERIOD,
+    }
+}
+
 /// Frequency, phase and wave, as in section 2 of the pattern facts; the odd modulus is measured.
 #[inline]
 fn shape(raw: f64, frequency: f64, phase: f64, wave: Wave) -> f64 {
-    let mut v = if frequency == 0.0 { raw } else { raw * frequency + phase };
-    // Most values lie in the first period, and a remainder is costly.
-    if frequency != 0.0 && v.abs() >= POV_PERIOD {
-        v %= POV_PERIOD;
-    }
+    let mut v = if frequency == 0.0 { raw } else { remainder(raw * frequency + phase) };
     if v < 0.0 {
         v = fraction(v);
     }
@@ -217,6 +232,15 @@ mod tests {
         check(&Pattern { wave: Wave::Poly(2.5), ..onion() }, [0.1151844105, 0.2483414148, 0.6924589934]);
         let backward = Pattern { frequency: f64::from(-1.7f32), wave: Wave::Triangle, ..onion() };
         check(&backward, [0.5676920226, 0.052405275, 0.9351722581]);
+    }
+
+    #[test]
+    fn remainders_are_those_of_the_library() {
+        let near = |v: f64| [v.next_down(), v, v.next_up()];
+        let periods = (0..5).map(|n| f64::from(n) * POV_PERIOD).chain([0.3, 1.5, 7.9, 1e9, f64::INFINITY]);
+        for v in periods.flat_map(near).flat_map(|v| [v, -v]) {
+            assert_eq!(remainder(v).to_bits() << 1, (v % POV_PERIOD).to_bits() << 1, "{v}");
+        }
     }
 
     #[test]

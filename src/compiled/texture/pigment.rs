@@ -26,7 +26,7 @@ impl Pigment {
     pub fn color(&self, point: DVec3, context: &Context) -> Option<Color> {
         match self {
             Self::Solid(color) => Some(*color),
-            Self::Colors(pattern, colors) => Some(blend_colors(&pattern.pick(colors, point, context).0)),
+            Self::Colors(pattern, colors) => Some(blended(pattern, colors, point, context)),
             Self::Pigments(pattern, pigments) => {
                 let (pick, warped) = pattern.pick(pigments, point, context);
                 Some(match pick {
@@ -45,7 +45,7 @@ impl Pigment {
     /// The colour at a point; white and clear in holes.
     pub fn color_or_clear(&self, point: DVec3, context: &Context) -> Color {
         match self {
-            Self::Colors(pattern, colors) => blend_colors(&pattern.pick(colors, point, context).0),
+            Self::Colors(pattern, colors) => blended(pattern, colors, point, context),
             _ => self.color(point, context).unwrap_or(CLEAR),
         }
     }
@@ -64,8 +64,8 @@ impl Pigment {
 }
 
 #[inline]
-fn blend_colors(pick: &Pick<'_, Color>) -> Color {
-    match *pick {
+fn blended(pattern: &Pattern, colors: &Blend<Color>, point: DVec3, context: &Context) -> Color {
+    match pattern.pick_at_warped(colors, pattern.warp(point), context) {
         Pick::One(color) => *color,
         Pick::Two(lower, upper, share) => lower.lerp(*upper, share),
         Pick::All(all) => weighted_sum(all.iter().copied()),

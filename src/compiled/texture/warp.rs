@@ -82,6 +82,7 @@ pub struct BlackHole {
 
 impl Warp {
     /// Carries a point one step inwards.
+    #[inline]
     pub fn apply(&self, p: DVec3) -> DVec3 {
         match self {
             Self::Affine(pattern_from_outer) => pattern_from_outer.point(p),
