@@ -37,15 +37,15 @@ pub struct Source {
 #[derive(Debug)]
 pub struct Piece {
     /// The tokens.
-    pub tokens: Box<[Token]>,
+    pub tokens: Vec<Token>,
     /// Without and with comparisons.
     formulas: [RefCell<Memo<Formula>>; 2],
     statements: RefCell<Memo<Statement>>,
 }
 
 impl Piece {
-    fn new(tokens: &[Token]) -> Self {
-        Self { tokens: tokens.into(), formulas: Default::default(), statements: RefCell::default() }
+    fn new(tokens: Vec<Token>) -> Self {
+        Self { tokens, formulas: Default::default(), statements: RefCell::default() }
     }
 
     /// The formula that starts at a token, from the second time it is asked for; `is_macro` tells
@@ -79,10 +79,20 @@ struct Parsed {
     pieces: Vec<pieces::Piece>,
     tokens: Vec<Option<Rc<Piece>>>,
     kept: VecDeque<usize>,
-    /// Room for the tokens of a piece while their number is not known.
-    room: Vec<Token>,
     /// Where the branch that starts at a position ends.
     branch_ends: FxHashMap<Position, (Position, Directive)>,
+}
+
+impl Parsed {
+    /// Room for the tokens of another piece: that of the oldest, when enough are kept and nobody reads it. Memory
+    /// that is given back gets mixed with what the scene keeps, and has to be touched anew elsewhere.
+    fn room(&mut self) -> Vec<Token> {
+        if self.kept.len() < KEPT_PIECES {
+            return Vec::new();
+        }
+        let oldest = self.kept.pop_front().and_then(|index| self.tokens[index].take());
+        oldest.and_then(Rc::into_inner).map_or_else(Vec::new, |piece| piece.tokens)
+    }
 }
 
 impl Source {
@@ -107,15 +117,11 @@ impl Source {
             parsed.pieces.push(next_piece(&self.text, start)?);
             parsed.tokens.push(None);
         }
-        tokenise(self.file, &self.text, parsed.pieces[index], names, &mut parsed.room);
-        let tokens = Rc::new(Piece::new(&parsed.room));
+        let mut room = parsed.room();
+        tokenise(self.file, &self.text, parsed.pieces[index], names, &mut room);
+        let tokens = Rc::new(Piece::new(room));
         parsed.tokens[index] = Some(Rc::clone(&tokens));
         parsed.kept.push_back(index);
-        if parsed.kept.len() > KEPT_PIECES
-            && let Some(oldest) = parsed.kept.pop_front()
-        {
-            parsed.tokens[oldest] = None;
-        }
         Some(tokens)
     }
 

@@ -256,14 +256,11 @@ impl Bvh {
 
 /// A ray made ready for slab tests.
 struct Probe {
-    /// Whether the ray enters through the upper plane, on each axis.
-    backward: [bool; 3],
-    /// Origin rounded so that the entry comes early and the exit late.
-    enter_origin: [Vec4; 3],
-    leave_origin: [Vec4; 3],
+    /// Origin rounded up, from which lower planes are seen early by a ray that goes up, and late by one that goes down.
+    above: [Vec4; 3],
+    /// Origin rounded down, for upper planes.
+    below: [Vec4; 3],
     inverse: [Vec4; 3],
-    /// The same, a little longer, for exits.
-    leave_inverse: [Vec4; 3],
     t_min: Vec4,
 }
 
@@ -277,20 +274,16 @@ const FARTHEST: f32 = 1e30;
 
 impl Probe {
     fn new(ray: &Ray, t_min: f64) -> Self {
-        let backward = ray.direction.to_array().map(|d| d < 0.0);
         let origin = ray.origin.as_vec3();
         // A whole unit of the last digit, where rounding was wrong by half of one at most.
         let unit = origin.abs() * f32::EPSILON + Vec3::splat(f32::MIN_POSITIVE);
-        let (lower, upper) = ((origin - unit).to_array(), (origin + unit).to_array());
-        let size = ray.direction.recip().as_vec3().abs().min(Vec3::splat(STEEPEST)).to_array();
-        let lanes = |f: &dyn Fn(usize) -> f32| std::array::from_fn(|i| Vec4::splat(f(i)));
-        let inverse: [Vec4; 3] = lanes(&|i| if backward[i] { -size[i] } else { size[i] });
+        let steepest = Vec3::splat(STEEPEST);
+        let inverse = ray.direction.recip().as_vec3().clamp(-steepest, steepest);
+        let lanes = |v: Vec3| v.to_array().map(Vec4::splat);
         Self {
-            backward,
-            enter_origin: lanes(&|i| if backward[i] { lower[i] } else { upper[i] }),
-            leave_origin: lanes(&|i| if backward[i] { upper[i] } else { lower[i] }),
-            inverse,
-            leave_inverse: inverse.map(|i| i * SLACK),
+            above: lanes(origin + unit),
+            below: lanes(origin - unit),
+            inverse: lanes(inverse),
             t_min: Vec4::splat(round_down(t_min)),
         }
     }
@@ -299,15 +292,15 @@ impl Probe {
     #[inline]
     fn test(&self, node: &Node, t_max: f32) -> ([f32; 4], u32) {
         let mut near = self.t_min;
-        let mut far = Vec4::splat(t_max.min(FARTHEST));
+        let mut far = Vec4::splat(FARTHEST);
         for axis in 0..3 {
-            let backward = self.backward[axis];
-            let planes = &node.planes[axis];
-            let enter = (planes[usize::from(backward)] - self.enter_origin[axis]) * self.inverse[axis];
-            let leave = (planes[usize::from(!backward)] - self.leave_origin[axis]) * self.leave_inverse[axis];
-            near = near.max(enter);
-            far = far.min(leave);
+            let [lower, upper] = node.planes[axis];
+            let lower = (lower - self.above[axis]) * self.inverse[axis];
+            let upper = (upper - self.below[axis]) * self.inverse[axis];
+            near = near.max(lower.min(upper));
+            far = far.min(lower.max(upper));
         }
+        let far = (far * SLACK).min(Vec4::splat(t_max));
         (near.to_array(), near.cmple(far).bitmask())
     }
 }
@@ -376,7 +369,8 @@ fn build_subtree(items: &mut [Item], place: Place, nodes: &mut Vec<Node>) {
 
 /// A node whose children are all leaves, for the start.
 fn node_over(runs: &[(Span<usize>, Hull)], first: usize) -> Node {
-    let mut planes = [[Vec4::INFINITY, Vec4::NEG_INFINITY]; 3];
+    // Unused children lie beyond all rays.
+    let mut planes = [[Vec4::INFINITY; 2]; 3];
     let mut children = [LEAF; 4];
     for (axis, [min, max]) in planes.iter_mut().enumerate() {
         for (slot, (_, hull)) in runs.iter().enumerate() {

@@ -88,28 +88,30 @@ impl<'a> Walk<'a> {
             return ControlFlow::Continue(());
         }
         match &item.kind {
-            ItemKind::Sphere(sphere, primitive) => {
-                if let Some(hit) = sphere.intersect(ray, self.range) {
-                    return self.record(hit.t, *primitive, hit.part, Owner::Primitive(*primitive));
-                }
-            }
-            ItemKind::Primitive(index) => return self.primitive(*index, ray),
-            ItemKind::Solid(root) => {
-                if let Some(c) = self.geometry.solid_nearest(*root, ray, self.range, self.kind, self.scratch) {
-                    return self.record(c.t, c.primitive, c.part, Owner::Solid(*root));
-                }
-            }
-            ItemKind::Instance(index) => {
-                let instance = &self.geometry.instances[*index as usize];
-                self.path.push(*index);
-                let geometry = self.geometry;
-                let flow =
-                    self.group(&geometry.groups[instance.group as usize], &instance.parent_from_group.inverse_ray(ray));
-                self.path.pop();
-                return flow;
-            }
+            ItemKind::Sphere(sphere, primitive) => match sphere.intersect(ray, self.range) {
+                Some(hit) => self.record(hit.t, *primitive, hit.part, Owner::Primitive(*primitive)),
+                None => ControlFlow::Continue(()),
+            },
+            ItemKind::Primitive(index) => self.primitive(*index, ray),
+            ItemKind::Solid(root) => self.solid(*root, ray),
+            ItemKind::Instance(index) => self.instance(*index, ray),
         }
-        ControlFlow::Continue(())
+    }
+
+    fn solid(&mut self, root: u32, ray: &Ray) -> ControlFlow<()> {
+        match self.geometry.solid_nearest(root, ray, self.range, self.kind, self.scratch) {
+            Some(c) => self.record(c.t, c.primitive, c.part, Owner::Solid(root)),
+            None => ControlFlow::Continue(()),
+        }
+    }
+
+    fn instance(&mut self, index: u32, ray: &Ray) -> ControlFlow<()> {
+        let instance = &self.geometry.instances[index as usize];
+        self.path.push(index);
+        let geometry = self.geometry;
+        let flow = self.group(&geometry.groups[instance.group as usize], &instance.parent_from_group.inverse_ray(ray));
+        self.path.pop();
+        flow
     }
 
     fn primitive(&mut self, index: u32, ray: &Ray) -> ControlFlow<()> {
