@@ -10,6 +10,7 @@ use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::DVec3;
 use crate::math::noise::Octaves;
 use crate::scene::{self, Gamma, Object, Scene, Texture, Working};
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// POV-Ray's own limit below which a distance or width switches a thing off.
@@ -53,7 +54,7 @@ pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
         geometry,
         opaque: textures.iter().map(crate::compiled::texture::Texture::is_opaque).collect(),
         textures,
-        interiors: interiors.iter().map(|i| interior(i)).collect(),
+        interiors: compiled_interiors(&interiors),
         lights,
         n_global_lights,
         groups,
@@ -104,6 +105,13 @@ fn place_lights(
         compiled.push(Group { lights, global_lights: group.global_lights });
     }
     Ok((lights, global.end, compiled))
+}
+
+/// One for each, of which those of one statement are the same in memory: most objects have the one that was never
+/// written.
+fn compiled_interiors(interiors: &[Arc<scene::Interior>]) -> Vec<Arc<Interior>> {
+    let mut known = FxHashMap::default();
+    interiors.iter().map(|i| Arc::clone(known.entry(Arc::as_ptr(i)).or_insert_with(|| Arc::new(interior(i))))).collect()
 }
 
 fn interior(interior: &scene::Interior) -> Interior {

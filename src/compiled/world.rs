@@ -8,6 +8,7 @@ use super::labels::Labels;
 use super::light::Light;
 use super::texture::Texture;
 use crate::math::Rgb;
+use std::sync::Arc;
 
 /// A compiled scene. Every index in the geometry is valid here.
 #[derive(Debug)]
@@ -19,7 +20,7 @@ pub struct World {
     /// By texture: whether no light comes through anywhere.
     pub opaque: Vec<bool>,
     /// By [`InteriorId`].
-    pub interiors: Vec<Interior>,
+    pub interiors: Vec<Arc<Interior>>,
     /// Lights of the whole scene, in file order, then those of groups.
     pub lights: Vec<Light>,
     /// How many of `lights` are global.
@@ -119,7 +120,7 @@ impl World {
 
     /// Whether it makes a difference which objects a ray is in: it bends or fades in one of them, or fog is about.
     pub fn interiors_matter(&self) -> bool {
-        let plain = |i: &Interior| i.ior == 1.0 && i.dispersion == 1.0 && i.fade.is_none();
+        let plain = |i: &Arc<Interior>| i.ior == 1.0 && i.dispersion == 1.0 && i.fade.is_none();
         let clear = self.atmosphere.fogs.is_empty() && self.atmosphere.rainbows.is_empty();
         !clear || !self.interiors.iter().all(plain) || self.textures.iter().any(Texture::bends_light)
     }

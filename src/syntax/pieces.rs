@@ -79,6 +79,10 @@ pub(super) fn next_piece(text: &[u8], start: usize) -> Option<Piece> {
                     return piece(at, PieceKind::Text);
                 }
             }
+            byte if byte.is_ascii_alphanumeric() => {
+                after_hash = false;
+                at += text[at..].iter().take_while(|b| b.is_ascii_alphanumeric()).count();
+            }
             byte => {
                 after_hash = byte == b'#';
                 at += 1;

@@ -9,11 +9,11 @@ use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
 use super::quadric_reach::within;
 use crate::compiled::geometry::{
-    Geometry, Group, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, MeshTree, Node, NodeKind, ObjectId, Operation,
-    Parts, Primitive, Shape as Compiled, TextureId, padded,
+    Geometry, Group, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, Members, MeshTree, Node, NodeKind, ObjectId,
+    Operation, Parts, Primitive, Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
-use crate::math::{Bounds, DVec3};
+use crate::math::{Bounds, DVec3, Transform};
 use crate::scene::{CsgOperation, Interior, Object, PlacedTexture, Shape, Texture};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -51,11 +51,10 @@ pub(super) struct Builder<'a> {
     pub(super) errors: Vec<Diagnostic>,
     pub(super) labeler: Labeler,
     default_interior: Arc<Interior>,
+    last_default: Option<(*const Texture, u32)>,
     shared: FxHashMap<(*const Arc<Object>, u8), Shared>,
     n_light_groups: u32,
 }
-
-type Items = Vec<(Item, Bounds)>;
 
 impl<'a> Builder<'a> {
     /// With room for so many simple objects: most scenes of many objects have little else.
@@ -80,22 +79,39 @@ impl<'a> Builder<'a> {
             errors: Vec::new(),
             labeler: Labeler::default(),
             default_interior: Arc::default(),
+            last_default: None,
             shared: FxHashMap::default(),
             n_light_groups: 0,
         }
     }
 
     /// Places a frame-level object.
-    pub(super) fn place_root(&mut self, object: &Arc<Object>, default: &Arc<Texture>, split: bool, items: &mut Items) {
-        let default_texture = PlacedTexture::new(Arc::clone(default));
+    pub(super) fn place_root(
+        &mut self,
+        object: &Arc<Object>,
+        default: &Arc<Texture>,
+        split: bool,
+        items: &mut Members,
+    ) {
         let mut around = Context::bare();
-        around.default_texture = Some(self.placement(&default_texture, &around.group_from_parent, false));
-        self.place_frame(object, &around, split, items);
+        around.default_texture = Some(self.default_placement(default));
+        self.place_frame(object, around, split, items);
+    }
+
+    /// A default texture where it was written; most objects have that of the object before.
+    fn default_placement(&mut self, default: &Arc<Texture>) -> u32 {
+        match self.last_default {
+            Some((texture, placement)) if texture == Arc::as_ptr(default) => placement,
+            _ => {
+                let placement = self.placement(&PlacedTexture::new(Arc::clone(default)), &Transform::IDENTITY, false);
+                self.last_default = Some((Arc::as_ptr(default), placement));
+                placement
+            }
+        }
     }
 
     /// An object at frame level, or a member of a light group: owns an interior.
-    fn place_frame(&mut self, object: &Arc<Object>, around: &Context, split: bool, items: &mut Items) {
-        let mut around = around.clone();
+    fn place_frame(&mut self, object: &Arc<Object>, mut around: Context, split: bool, items: &mut Members) {
         self.labeler.begin(object);
         if object.interior.is_none() && !matches!(object.shape, Shape::LightGroup { .. }) {
             let hollow = last_hollow(object, around.hollow);
@@ -105,7 +121,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Places an object in a group. `height` grows to that of the instances inside.
-    fn place(&mut self, object: &Arc<Object>, around: &Context, split: bool, items: &mut Items, height: &mut usize) {
+    fn place(&mut self, object: &Arc<Object>, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
         let outer = self.labeler.enter(object);
         self.place_kind(object, around, split, items, height);
         self.labeler.leave(outer);
@@ -117,7 +133,7 @@ impl<'a> Builder<'a> {
         object: &Arc<Object>,
         around: &Context,
         split: bool,
-        items: &mut Items,
+        items: &mut Members,
         height: &mut usize,
     ) {
         match &object.shape {
@@ -132,7 +148,7 @@ impl<'a> Builder<'a> {
                 inside.light_group = Some(crate::compiled::geometry::LightGroupId(self.n_light_groups));
                 self.n_light_groups += 1;
                 for child in children.iter() {
-                    self.place_frame(child, &inside, split, items);
+                    self.place_frame(child, inside.clone(), split, items);
                 }
             }
             Shape::Csg { children, .. } => {
@@ -160,24 +176,24 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn push_primitive(&mut self, index: u32, inside: &Context, items: &mut Items) {
+    fn push_primitive(&mut self, index: u32, inside: &Context, items: &mut Members) {
         let primitive = &self.geometry.primitives[index as usize];
         let kind = match (&primitive.shape, &primitive.group_from_local) {
             (Compiled::Sphere(sphere), None) => ItemKind::Sphere(*sphere, index),
             _ => ItemKind::Primitive(index),
         };
         if !inside.skips().skips_all() {
-            items.push((Item { kind, skips: inside.skips() }, primitive.bounds()));
+            items.push(Item { kind, skips: inside.skips() }, &primitive.bounds());
         }
     }
 
-    fn place_solid(&mut self, object: &Arc<Object>, around: &Context, items: &mut Items) {
+    fn place_solid(&mut self, object: &Arc<Object>, around: &Context, items: &mut Members) {
         let id = self.labeler.object_id();
         let root = self.geometry.nodes.len() as u32;
         if self.node(object, around, id, true).is_some() {
             let node = &self.geometry.nodes[root as usize];
             if !node.skips.skips_all() && !node.bounds.is_empty() {
-                items.push((Item { kind: ItemKind::Solid(root), skips: node.skips }, node.bounds));
+                items.push(Item { kind: ItemKind::Solid(root), skips: node.skips }, &node.bounds);
             }
         }
     }
@@ -189,7 +205,7 @@ impl<'a> Builder<'a> {
         children: &Arc<[Arc<Object>]>,
         inside: &Context,
         splits: bool,
-        items: &mut Items,
+        items: &mut Members,
         height: &mut usize,
     ) -> bool {
         if !can_be_shared(self.census.of(children), object, splits) || inside.cutaway || !splits && inside.inverse {
@@ -216,14 +232,14 @@ impl<'a> Builder<'a> {
         let index = self.geometry.instances.len() as u32;
         self.geometry.instances.push(Instance { group: shared.group, parent_from_group, look });
         if !inside.skips().skips_all() {
-            items.push((Item { kind: ItemKind::Instance(index), skips: inside.skips() }, bounds));
+            items.push(Item { kind: ItemKind::Instance(index), skips: inside.skips() }, &bounds);
         }
         true
     }
 
     /// Builds contents once, as they are without anything around them.
     fn build_shared(&mut self, object: &Arc<Object>, children: &Arc<[Arc<Object>]>, splits: bool) -> Shared {
-        let mut items = Items::new();
+        let mut items = Members::with_capacity(0);
         let mut height = 0;
         if splits {
             for child in children.iter() {

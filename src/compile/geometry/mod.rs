@@ -20,7 +20,7 @@ mod text;
 mod watch;
 
 use crate::compiled::Labels;
-use crate::compiled::geometry::{Geometry, Group, LightGroupId};
+use crate::compiled::geometry::{Geometry, Group, LightGroupId, Members};
 use crate::diag::{Diagnostic, SourceResult};
 use crate::math::Transform;
 use crate::scene::{Interior, LightSource, Object, Scene, Settings, Texture};
@@ -116,7 +116,7 @@ fn build(objects: &[(&Arc<Object>, &Arc<Texture>)], split: bool, max_parts: u64)
         collect_lights(object, &Transform::IDENTITY, None, &census, &mut out);
     }
     let mut builder = Builder::new(&census, objects.len());
-    let mut items = Vec::with_capacity(objects.len());
+    let mut items = Members::with_capacity(objects.len());
     for (object, default) in objects {
         builder.place_root(object, default, split, &mut items);
     }

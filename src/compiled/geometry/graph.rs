@@ -76,14 +76,36 @@ pub(crate) struct Group {
 /// Items in a leaf: their tests are costly, boxes are cheap.
 const LEAF_SIZE: usize = 2;
 
+/// Items on their way into a group.
+#[derive(Debug)]
+pub(crate) struct Members {
+    finite: Vec<(Item, Box32)>,
+    infinite: Vec<Item>,
+    bounds: Bounds,
+}
+
+impl Members {
+    /// With room for so many finite ones.
+    pub(crate) fn with_capacity(n: usize) -> Self {
+        Self { finite: Vec::with_capacity(n), infinite: Vec::new(), bounds: Bounds::EMPTY }
+    }
+
+    /// An item with its bounds.
+    pub(crate) fn push(&mut self, item: Item, bounds: &Bounds) {
+        self.bounds = self.bounds.union(bounds);
+        if bounds.is_finite() {
+            self.finite.push((item, bounds.into()));
+        } else {
+            self.infinite.push(item);
+        }
+    }
+}
+
 impl Group {
-    /// Builds the hierarchy over items with their bounds.
-    pub(crate) fn new(mut items: Vec<(Item, Bounds)>) -> Self {
-        let infinite: Vec<_> = items.extract_if(.., |(_, b)| !b.is_finite()).map(|(item, _)| item).collect();
-        let finite = items;
-        let bounds = finite.iter().fold(Bounds::EMPTY, |sum, (_, b)| sum.union(b));
+    /// Builds the hierarchy over items.
+    pub(crate) fn new(Members { finite, infinite, bounds }: Members) -> Self {
         let bounds = if infinite.is_empty() { bounds } else { Bounds::INFINITE };
-        let (bvh, order) = Bvh::build(finite.par_iter().map(|(_, b)| Box32::from(b)), LEAF_SIZE);
+        let (bvh, order) = Bvh::build(finite.par_iter().map(|(_, bounds)| *bounds), LEAF_SIZE);
         let items = order.iter().map(|i| finite[*i as usize].0).collect();
         Self { items, bvh, infinite, bounds }
     }

@@ -27,7 +27,7 @@ pub use solid::Scratch;
 
 // What `compile` fills in.
 pub(crate) use graph::{
-    Group, Instance, Item, ItemKind, Look, Node, NodeKind, Operation, Placement, Primitive, Skips, padded,
+    Group, Instance, Item, ItemKind, Look, Members, Node, NodeKind, Operation, Placement, Primitive, Skips, padded,
 };
 pub(crate) use parts::Parts;
 pub(crate) use shape::{
