@@ -37,7 +37,7 @@ impl Queries {
             // What no ray sees would be left out, but the scene may ask about it.
             let mut seen = Object::clone(object);
             seen.flags = Flags { no_image: false, no_reflection: false, no_shadow: false, ..seen.flags };
-            let geometry = Arc::new(compile_object(&Arc::new(seen)).unwrap_or_default());
+            let geometry = Arc::new(compile_object(&seen).unwrap_or_default());
             Known { _object: Arc::clone(object), geometry }
         };
         Arc::clone(&known.entry(address).or_insert_with(compile).geometry)

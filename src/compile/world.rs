@@ -41,7 +41,9 @@ pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
     let mut compiler = TextureCompiler::new(&scene.settings);
     let textures: Vec<_> = textures
         .iter()
-        .filter_map(|t| note(compiler.texture(t), || span_of_texture(&scene.objects, t), &mut errors))
+        .filter_map(|t| {
+            note(compiler.texture(t), || scene.objects.iter().find_map(|o| span_of_texture(o, t)), &mut errors)
+        })
         .collect();
     let camera = note(camera::camera(&scene.camera, &mut compiler), || None, &mut errors);
     let atmosphere = note(atmosphere(scene, &mut compiler), || None, &mut errors);
@@ -72,15 +74,13 @@ fn note<T>(result: Result<T, Refusal>, span: impl FnOnce() -> Option<Span>, erro
     result.map_err(|message| errors.push(refused(message))).ok()
 }
 
-/// Where a texture's first user stands.
-fn span_of_texture(objects: &[Arc<Object>], texture: &Arc<Texture>) -> Option<Span> {
-    objects.iter().find_map(|object| {
-        let own = [&object.texture, &object.interior_texture].into_iter().flatten();
-        if own.into_iter().any(|placed| Arc::ptr_eq(&placed.texture, texture)) {
-            return Some(object.span);
-        }
-        span_of_texture(object.shape.children(), texture)
-    })
+/// Where the first user of a texture in an object stands.
+fn span_of_texture(object: &Object, texture: &Arc<Texture>) -> Option<Span> {
+    let mut own = [&object.texture, &object.interior_texture].into_iter().flatten();
+    if own.any(|placed| Arc::ptr_eq(&placed.texture, texture)) {
+        return Some(object.span);
+    }
+    object.shape.children().iter().find_map(|child| span_of_texture(child, texture))
 }
 
 /// Global lights first, then those of each group.

@@ -54,7 +54,7 @@ pub struct Scene {
     /// Atmospheric `media`.
     pub media: Vec<Media>,
     /// Frame-level objects in file order, lights and light groups included.
-    pub objects: Vec<Arc<Object>>,
+    pub objects: Vec<Object>,
     /// What an object without any texture gets, as it stood when the object was placed
     /// (parallel to `objects`).
     pub default_textures: Vec<Arc<Texture>>,

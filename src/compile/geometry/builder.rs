@@ -86,13 +86,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Places a frame-level object.
-    pub(super) fn place_root(
-        &mut self,
-        object: &Arc<Object>,
-        default: &Arc<Texture>,
-        split: bool,
-        items: &mut Members,
-    ) {
+    pub(super) fn place_root(&mut self, object: &Object, default: &Arc<Texture>, split: bool, items: &mut Members) {
         let mut around = Context::bare();
         around.default_texture = Some(self.default_placement(default));
         self.place_frame(object, around, split, items);
@@ -111,7 +105,7 @@ impl<'a> Builder<'a> {
     }
 
     /// An object at frame level, or a member of a light group: owns an interior.
-    fn place_frame(&mut self, object: &Arc<Object>, mut around: Context, split: bool, items: &mut Members) {
+    fn place_frame(&mut self, object: &Object, mut around: Context, split: bool, items: &mut Members) {
         self.labeler.begin(object);
         if object.interior.is_none() && !matches!(object.shape, Shape::LightGroup { .. }) {
             let hollow = last_hollow(object, around.hollow);
@@ -121,21 +115,14 @@ impl<'a> Builder<'a> {
     }
 
     /// Places an object in a group. `height` grows to that of the instances inside.
-    fn place(&mut self, object: &Arc<Object>, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
+    fn place(&mut self, object: &Object, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
         let outer = self.labeler.enter(object);
         self.place_kind(object, around, split, items, height);
         self.labeler.leave(outer);
     }
 
     /// The same, by its kind.
-    fn place_kind(
-        &mut self,
-        object: &Arc<Object>,
-        around: &Context,
-        split: bool,
-        items: &mut Members,
-        height: &mut usize,
-    ) {
+    fn place_kind(&mut self, object: &Object, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
         match &object.shape {
             Shape::LightSource(light) => {
                 if let Some(looks) = &light.looks_like {
@@ -187,7 +174,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn place_solid(&mut self, object: &Arc<Object>, around: &Context, items: &mut Members) {
+    fn place_solid(&mut self, object: &Object, around: &Context, items: &mut Members) {
         let id = self.labeler.object_id();
         let root = self.geometry.nodes.len() as u32;
         if self.node(object, around, id, true).is_some() {
@@ -201,7 +188,7 @@ impl<'a> Builder<'a> {
     /// Places CSG contents as an instance if they are used often enough; whether it did.
     fn place_shared(
         &mut self,
-        object: &Arc<Object>,
+        object: &Object,
         children: &Arc<[Arc<Object>]>,
         inside: &Context,
         splits: bool,
@@ -238,7 +225,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Builds contents once, as they are without anything around them.
-    fn build_shared(&mut self, object: &Arc<Object>, children: &Arc<[Arc<Object>]>, splits: bool) -> Shared {
+    fn build_shared(&mut self, object: &Object, children: &Arc<[Arc<Object>]>, splits: bool) -> Shared {
         let mut items = Members::with_capacity(0);
         let mut height = 0;
         if splits {
@@ -247,14 +234,14 @@ impl<'a> Builder<'a> {
             }
         } else {
             let bare = Object { flags: Default::default(), ..Object::new(object.shape.clone(), object.span) };
-            self.place_solid(&Arc::new(bare), &Context::bare(), &mut items);
+            self.place_solid(&bare, &Context::bare(), &mut items);
         }
         self.geometry.groups.push(Group::new(items));
         Shared { group: self.geometry.groups.len() as u32 - 1, height: height + 1 }
     }
 
     /// Builds an object as a part of a solid; `None` for what has no surface.
-    fn node(&mut self, object: &Arc<Object>, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
+    fn node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
         if let Shape::LightSource(light) = &object.shape {
             let looks = light.looks_like.clone()?;
             return self.node(&looks, &Context { no_shadow: true, ..around.clone() }, id, is_root);

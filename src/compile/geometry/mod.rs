@@ -89,12 +89,12 @@ pub fn compile(scene: &Scene) -> SourceResult<CompiledGeometry> {
 ///
 /// # Errors
 /// As [`compile`].
-pub fn compile_object(object: &Arc<Object>) -> SourceResult<Geometry> {
+pub fn compile_object(object: &Object) -> SourceResult<Geometry> {
     Ok(build(&[(object, &Arc::default())], false, Settings::default().max_parts)?.geometry)
 }
 
 /// All passes in order.
-fn build(objects: &[(&Arc<Object>, &Arc<Texture>)], split: bool, max_parts: u64) -> SourceResult<CompiledGeometry> {
+fn build(objects: &[(&Object, &Arc<Texture>)], split: bool, max_parts: u64) -> SourceResult<CompiledGeometry> {
     let mut census = Census::default();
     for (object, _) in objects {
         census.count(object, 0);

@@ -138,8 +138,7 @@ impl Bvh {
     /// At most 2^27 items; `leaf_size` at most 15.
     pub(crate) fn build(boxes: impl IndexedParallelIterator<Item = Box32>, leaf_size: usize) -> (Self, Vec<u32>) {
         let mut items: Vec<Item> = boxes.enumerate().map(|(i, bounds)| Item::new(&bounds, i as u32)).collect();
-        // Room for as many as there usually are: to grow, or to shrink, moves them all.
-        let mut nodes = Vec::with_capacity(items.len() / (leaf_size + 1));
+        let mut nodes = nodes_over(items.len(), leaf_size);
         if !items.is_empty() {
             let hull = Hull::around(&items);
             build_subtree(&mut items, Place { hull, first: 0, leaf_size, depth: 0 }, &mut nodes);
@@ -316,6 +315,11 @@ struct Place {
     depth: u32,
 }
 
+/// Room for as many nodes as there usually are over so many items: to grow, or to shrink, moves them all.
+fn nodes_over(n_items: usize, leaf_size: usize) -> Vec<Node> {
+    Vec::with_capacity(n_items / (leaf_size + 1))
+}
+
 /// Appends the nodes of a subtree over `items`, which are put in order.
 fn build_subtree(items: &mut [Item], place: Place, nodes: &mut Vec<Node>) {
     let Place { hull, first, leaf_size, depth } = place;
@@ -355,7 +359,7 @@ fn build_subtree(items: &mut [Item], place: Place, nodes: &mut Vec<Node>) {
         return;
     }
     let build = |(slot, place, part): (usize, Place, &mut [Item])| {
-        let mut own = Vec::new();
+        let mut own = nodes_over(part.len(), leaf_size);
         build_subtree(part, place, &mut own);
         (slot, own)
     };

@@ -40,7 +40,7 @@ impl Evaluator<'_> {
     /// One item of the scene level, if one comes next.
     pub(in crate::eval) fn scene_item(&mut self) -> SourceResult<bool> {
         let span = self.span();
-        if let Some(object) = self.object()? {
+        if let Some(object) = self.own_object()? {
             self.add_to_scene(object);
             return Ok(true);
         }
@@ -92,7 +92,7 @@ impl Evaluator<'_> {
     }
 
     /// Puts an object into the scene, with the default texture in force now.
-    fn add_to_scene(&mut self, object: Arc<crate::scene::Object>) {
+    fn add_to_scene(&mut self, object: crate::scene::Object) {
         self.scene.objects.push(object);
         let texture = match self.scene.default_textures.last() {
             Some(last) if self.defaults.is_texture(last) => last.clone(),

@@ -17,18 +17,26 @@ enum Shaped {
 impl Evaluator<'_> {
     /// An object, if one comes next: a shape in braces or the identifier of one.
     pub(super) fn object(&mut self) -> SourceResult<Option<Arc<Object>>> {
-        let pick = |v: &Value| if let Value::Object(o) = v { Some(o.clone()) } else { None };
-        if let Some(object) = self.take_declared(pick)? {
-            return Ok(Some(object));
+        match self.declared_object()? {
+            Some(object) => Ok(Some(object)),
+            None => Ok(self.object_block()?.map(Arc::new)),
         }
-        let Some(keyword) = self.keyword()? else { return Ok(None) };
-        if !is_object_keyword(keyword) {
-            return Ok(None);
-        }
-        self.object_block(keyword).map(Some)
     }
 
-    fn object_block(&mut self, keyword: K) -> SourceResult<Arc<Object>> {
+    /// The same for an object that is to stand by itself.
+    pub(super) fn own_object(&mut self) -> SourceResult<Option<Object>> {
+        match self.declared_object()? {
+            Some(object) => Ok(Some(Arc::unwrap_or_clone(object))),
+            None => self.object_block(),
+        }
+    }
+
+    fn declared_object(&mut self) -> SourceResult<Option<Arc<Object>>> {
+        self.take_declared(|v: &Value| if let Value::Object(o) = v { Some(o.clone()) } else { None })
+    }
+
+    fn object_block(&mut self) -> SourceResult<Option<Object>> {
+        let Some(keyword) = self.keyword()?.filter(|keyword| is_object_keyword(*keyword)) else { return Ok(None) };
         let span = self.next()?.span;
         let word = keyword.word();
         self.count_object(span)?;
@@ -37,15 +45,14 @@ impl Evaluator<'_> {
         self.object_modifiers(&mut object)?;
         self.close(word)?;
         self.check_object(&mut object, span)?;
-        Ok(Arc::new(object))
+        Ok(Some(object))
     }
 
     /// What stands first inside an object's braces: another object to copy, or the shape.
     fn object_start(&mut self, keyword: K, span: Span) -> SourceResult<Object> {
         let csg = csg_operation(keyword);
-        let pick = |v: &Value| if let Value::Object(o) = v { Some(o.clone()) } else { None };
         let name = self.name_ahead()?;
-        let known = if keyword == K::LightGroup { None } else { self.take_declared(pick)? };
+        let known = if keyword == K::LightGroup { None } else { self.declared_object()? };
         let first = name.zip(known);
         if let Some(operation) = csg {
             let children = self.csg_children(first.as_ref().map(|(_, object)| object.clone()))?;

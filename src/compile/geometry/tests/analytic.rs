@@ -217,7 +217,7 @@ fn what_stood_in_the_way_last_changes_no_answer() {
     let spheres = (0..6).map(|i| sphere(v(3.0 * f64::from(i), 0.0, 0.0), 1.0));
     let floor = object(Shape::Plane { normal: DVec3::Y, distance: -100.0 });
     let thing = csg(CsgOperation::Union, spheres.chain([floor]));
-    let copies = [-50.0, 50.0].map(|x| Arc::new(moved(thing.clone(), &Transform::translation(v(x, 0.0, 0.0)))));
+    let copies = [-50.0, 50.0].map(|x| moved(thing.clone(), &Transform::translation(v(x, 0.0, 0.0))));
     let default = Arc::default();
     let objects: Vec<_> = copies.iter().map(|o| (o, &default)).collect();
     let geometry = crate::compile::geometry::build(&objects, true, u64::MAX).unwrap().geometry;

@@ -85,5 +85,5 @@ fn written(text: &str) -> Object {
     let host = host(&text);
     let read = evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default());
     let read = read.unwrap_or_else(|failed| panic!("{:?}\n{text}", failed.diagnostics));
-    read.scene.objects.last().map(|o| Object::clone(o)).unwrap_or_else(|| panic!("no object: {text}"))
+    read.scene.objects.last().cloned().unwrap_or_else(|| panic!("no object: {text}"))
 }
