@@ -22,6 +22,8 @@ pub struct TextureLayer {
     pub normal: Option<Arc<Normal>>,
     /// Response to light.
     pub finish: Arc<Finish>,
+    /// `no_bump_scale` on the texture itself.
+    pub no_bump_scale: bool,
 }
 
 /// A texture chosen or mixed by a pattern.

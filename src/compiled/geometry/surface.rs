@@ -69,12 +69,15 @@ impl Geometry {
     pub fn blocks_light(&self, hit: &Hit, opaque: &[bool]) -> bool {
         let primitive = &self.primitives[hit.primitive as usize];
         let look = self.looks_of(primitive.look, &hit.path).look;
-        let own = self.textures_of_part(&primitive.shape, hit.part, DVec3::ZERO);
+        let has_own = match &primitive.shape {
+            Shape::Blob(blob) => blob.has_textures,
+            shape => !self.textures_of_part(shape, hit.part, DVec3::ZERO).is_empty(),
+        };
         let blocks = |placement: u32| {
             let texture = self.placements.get(placement as usize).map(|p| p.texture);
             texture.is_some_and(|t| opaque.get(t.0 as usize).copied().unwrap_or(false))
         };
-        own.is_empty()
+        !has_own
             && look.cutaway.is_none()
             && look.texture.is_some_and(blocks)
             && look.interior_texture.is_none_or(blocks)
@@ -171,7 +174,7 @@ impl Geometry {
                 .and_then(|texture| self.placed((texture, 1.0), &hit.path, inherited.texture_depth, look.uv_mapping));
             return placed.map_or_else(SmallVec::new, |texture| smallvec::smallvec![texture]);
         }
-        let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.parts.iter().any(|p| p.texture.is_some()));
+        let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.has_textures);
         if from_inside
             && !mixes
             && let Some(placement) = look.interior_texture

@@ -89,7 +89,7 @@ impl Evaluator<'_> {
             }
             Some(K::NoBumpScale) => {
                 self.next()?;
-                normal.no_bump_scale = self.optional_bool()?;
+                normal.no_bump_scale = true;
             }
             Some(K::UvMapping) => {
                 self.next()?;

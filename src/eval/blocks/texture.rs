@@ -40,11 +40,33 @@ impl Evaluator<'_> {
             }
             return Ok(known);
         }
-        if let Some(texture) = self.patterned_texture()? {
-            return Ok(Arc::new(texture));
+        let (mut uv_mapping, mut no_bump_scale) = (false, false);
+        loop {
+            match self.keyword()? {
+                Some(K::UvMapping) => uv_mapping = true,
+                Some(K::NoBumpScale) => no_bump_scale = true,
+                _ => break,
+            }
+            self.next()?;
         }
-        let mut texture = Texture::Layers(vec![self.defaults.layer.clone()]);
+        if let Some(mut patterned) = self.patterned_texture()? {
+            patterned.uv_mapping = uv_mapping;
+            patterned.no_bump_scale |= no_bump_scale;
+            return Ok(Arc::new(Texture::Patterned(Box::new(patterned))));
+        }
+        let mut layer = self.defaults.layer.clone();
+        layer.no_bump_scale |= no_bump_scale;
+        let mut texture = Texture::Layers(vec![layer]);
         self.texture_modifiers(&mut texture)?;
+        if let (true, Texture::Layers(layers)) = (uv_mapping, &mut texture) {
+            // Before a plain texture's parts: each of them is looked up at (u, v, 0).
+            for layer in layers {
+                Arc::make_mut(&mut layer.pigment).uv_mapping = true;
+                if let Some(normal) = &mut layer.normal {
+                    Arc::make_mut(normal).uv_mapping = true;
+                }
+            }
+        }
         Ok(Arc::new(texture))
     }
 
@@ -88,10 +110,7 @@ impl Evaluator<'_> {
             }
             Some(K::NoBumpScale) => {
                 self.next()?;
-                let on = self.optional_bool()?;
-                if let Some(normal) = &mut layer.normal {
-                    Arc::make_mut(normal).no_bump_scale = on;
-                }
+                layer.no_bump_scale = true;
             }
             Some(_) => return Ok(false),
             None => return self.layer_identifier(layer),
@@ -110,44 +129,26 @@ impl Evaluator<'_> {
         Ok(true)
     }
 
-    /// A texture that starts with a pattern, if one does here.
-    fn patterned_texture(&mut self) -> SourceResult<Option<Texture>> {
+    /// The inside of a texture that starts with a pattern, if one does here.
+    fn patterned_texture(&mut self) -> SourceResult<Option<PatternedTexture>> {
         let mut patterned = PatternedTexture {
             pattern: Pattern::new(PatternKind::None),
             map: Blend::Default,
             no_bump_scale: false,
-            uv_mapping: self.accept(K::UvMapping)?,
+            uv_mapping: false,
         };
         let span = self.span();
-        let read = match self.keyword()? {
+        match self.keyword()? {
             Some(K::MaterialMap) => {
                 self.next()?;
                 self.material_map(&mut patterned)?;
-                true
             }
             Some(K::Tiles) => {
                 self.next()?;
                 self.tiles(&mut patterned)?;
-                true
             }
-            _ => self.patterned_item(&mut patterned)?,
-        };
-        if !read {
-            if !patterned.uv_mapping {
-                return Ok(None);
-            }
-            // `uv_mapping` before a plain texture's parts: each part is looked up at (u, v, 0).
-            let mut texture = Texture::Layers(vec![self.defaults.layer.clone()]);
-            self.texture_modifiers(&mut texture)?;
-            if let Texture::Layers(layers) = &mut texture {
-                for layer in layers {
-                    Arc::make_mut(&mut layer.pigment).uv_mapping = true;
-                    if let Some(normal) = &mut layer.normal {
-                        Arc::make_mut(normal).uv_mapping = true;
-                    }
-                }
-            }
-            return Ok(Some(texture));
+            _ if self.texture_pattern(&mut patterned)? => {}
+            _ => return Ok(None),
         }
         while self.patterned_item(&mut patterned)? {
             self.comma()?;
@@ -155,7 +156,7 @@ impl Evaluator<'_> {
         if matches!(patterned.map, Blend::Default) {
             return self.error(span, "a texture with a pattern needs a texture_map or a list of textures");
         }
-        Ok(Some(Texture::Patterned(Box::new(patterned))))
+        Ok(Some(patterned))
     }
 
     fn patterned_item(&mut self, patterned: &mut PatternedTexture) -> SourceResult<bool> {
@@ -168,11 +169,16 @@ impl Evaluator<'_> {
             }
             Some(K::NoBumpScale) => {
                 self.next()?;
-                patterned.no_bump_scale = self.optional_bool()?;
+                patterned.no_bump_scale = true;
                 return Ok(true);
             }
             _ => {}
         }
+        Ok(self.texture_pattern(patterned)? || self.pattern_modifier(&mut patterned.pattern)?)
+    }
+
+    /// A pattern keyword, with its textures if it is a block pattern.
+    fn texture_pattern(&mut self, patterned: &mut PatternedTexture) -> SourceResult<bool> {
         let mut list = Vec::new();
         let mut read_list = |e: &mut Evaluator, n: usize| {
             e.comma()?;
@@ -183,13 +189,11 @@ impl Evaluator<'_> {
             list.resize_with(n, || e.defaults.texture());
             Ok(())
         };
-        if self.pattern_keyword(&mut patterned.pattern, &mut read_list)? {
-            if !list.is_empty() {
-                patterned.map = Blend::List(list);
-            }
-            return Ok(true);
+        let read = self.pattern_keyword(&mut patterned.pattern, &mut read_list)?;
+        if !list.is_empty() {
+            patterned.map = Blend::List(list);
         }
-        self.pattern_modifier(&mut patterned.pattern)
+        Ok(read)
     }
 
     /// `material_map { IMAGE options texture … }`, after the word.
