@@ -24,6 +24,8 @@ pub struct TextureLayer {
     pub finish: Arc<Finish>,
     /// `no_bump_scale` on the texture itself.
     pub no_bump_scale: bool,
+    /// An upper layer of a scene up to version 3.1: what its colours filter they let through as it is.
+    pub unfiltered: bool,
 }
 
 /// A texture chosen or mixed by a pattern.

@@ -88,8 +88,12 @@ impl<'s> TextureCompiler<'s> {
         if layer.no_bump_scale {
             normal.iter_mut().for_each(Normal::keep_bump_depth);
         }
+        let mut pigment = self.pigment(&layer.pigment)?;
+        if layer.unfiltered {
+            pigment.unfilter();
+        }
         Ok(Layer {
-            pigment: self.pigment(&layer.pigment)?,
+            pigment,
             normal,
             finish: finish::compile(&layer.finish, self.settings),
             quick_color: layer.pigment.quick_color,

@@ -1,24 +1,10 @@
-//! `texture { … }` and `material { … }`.
+//! `texture { … }`.
 
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
-use crate::scene::{Blend, Interior, Pattern, PatternKind, PatternedTexture, Texture, TextureLayer};
+use crate::scene::{Blend, Pattern, PatternKind, PatternedTexture, Texture, TextureLayer};
 use crate::syntax::{Keyword as K, TokenKind};
 use std::sync::Arc;
-
-/// `material`: textures and an interior under one name.
-#[derive(Clone, Debug, Default)]
-pub struct Material {
-    /// The texture, if given.
-    pub texture: Option<Arc<Texture>>,
-    /// The inner texture, if given.
-    pub interior_texture: Option<Arc<Texture>>,
-    /// The interior, if given.
-    pub interior: Option<Arc<Interior>>,
-}
-
-/// Most layers of a texture: far more than light gets through.
-const MAX_LAYERS: usize = 10_000;
 
 impl Evaluator<'_> {
     /// `{ … }` after `texture`.
@@ -98,6 +84,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 let start = (*layer.pigment).clone();
                 layer.pigment = Arc::new(self.pigment_block(start)?);
+                layer.unfiltered = false;
             }
             Some(K::Normal) => {
                 self.next()?;
@@ -120,7 +107,10 @@ impl Evaluator<'_> {
 
     fn layer_identifier(&mut self, layer: &mut TextureLayer) -> SourceResult<bool> {
         match self.declared()? {
-            Some(Value::Pigment(pigment)) => layer.pigment = pigment,
+            Some(Value::Pigment(pigment)) => {
+                layer.pigment = pigment;
+                layer.unfiltered = false;
+            }
             Some(Value::Normal(normal)) => layer.normal = Some(normal),
             Some(Value::Finish(finish)) => layer.finish = finish,
             _ => return Ok(false),
@@ -238,94 +228,5 @@ impl Evaluator<'_> {
         patterned.pattern = Pattern { frequency: 0.0, ..Pattern::new(PatternKind::Checker) };
         patterned.map = Blend::List(textures);
         Ok(())
-    }
-
-    /// `texture { … } texture { … } …` of a declaration: all layers.
-    ///
-    /// A directive behind a layer waits until the declaration is complete.
-    pub(super) fn layered_textures(&mut self) -> SourceResult<Arc<Texture>> {
-        self.next()?;
-        let mut texture = self.texture_block()?;
-        while self.fill(true)? == TokenKind::Keyword(K::Texture) {
-            let span = self.next()?.span;
-            let above = self.texture_block()?;
-            texture = self.stack(texture, above, span)?;
-        }
-        Ok(texture)
-    }
-
-    /// Lays `top` over `below`; only plain textures can be layered.
-    pub(super) fn stack(
-        &mut self,
-        below: Arc<Texture>,
-        top: Arc<Texture>,
-        span: crate::diag::Span,
-    ) -> SourceResult<Arc<Texture>> {
-        match (Arc::unwrap_or_clone(below), Arc::unwrap_or_clone(top)) {
-            (Texture::Layers(layers), Texture::Layers(more)) if layers.len() + more.len() > MAX_LAYERS => {
-                self.error(span, format!("a texture of more than {MAX_LAYERS} layers"))
-            }
-            (Texture::Layers(mut layers), Texture::Layers(more)) => {
-                layers.extend(more);
-                Ok(Arc::new(Texture::Layers(layers)))
-            }
-            (Texture::Patterned(_), _) => self.error(span, "cannot layer a texture over a patterned one"),
-            (_, Texture::Patterned(_)) => self.error(span, "cannot layer a patterned texture over another"),
-        }
-    }
-
-    /// `{ … }` after `material`.
-    pub(super) fn material_block(&mut self) -> SourceResult<Material> {
-        self.open("material")?;
-        let pick = |v: &Value| if let Value::Material(m) = v { Some((**m).clone()) } else { None };
-        let mut material = self.take_declared(pick)?.unwrap_or_default();
-        loop {
-            let span = self.span();
-            if let Some(transform) = self.transformation()? {
-                for texture in [&mut material.texture, &mut material.interior_texture].into_iter().flatten() {
-                    Arc::make_mut(texture).apply(&transform);
-                }
-                if let Some(interior) = &mut material.interior {
-                    Arc::make_mut(interior).apply(&transform);
-                }
-                continue;
-            }
-            match self.keyword()? {
-                Some(k @ (K::Texture | K::InteriorTexture)) => {
-                    self.next()?;
-                    let texture = self.texture_block()?;
-                    let inner = k == K::InteriorTexture;
-                    let slot = if inner { &mut material.interior_texture } else { &mut material.texture };
-                    let below = slot.take();
-                    let stacked = match below {
-                        Some(below) => self.stack(below, texture, span)?,
-                        None => texture,
-                    };
-                    *(if inner { &mut material.interior_texture } else { &mut material.texture }) = Some(stacked);
-                }
-                Some(K::Pigment | K::Normal | K::Finish) => {
-                    let layer = self.defaults.layer.clone();
-                    let texture = material.texture.get_or_insert_with(|| Arc::new(Texture::Layers(vec![layer])));
-                    match Arc::make_mut(texture) {
-                        Texture::Layers(layers) => {
-                            if let Some(top) = layers.last_mut() {
-                                self.layer_item(top)?;
-                            }
-                        }
-                        Texture::Patterned(_) => {
-                            return self.error(span, "a patterned texture takes no pigment, normal or finish");
-                        }
-                    }
-                }
-                Some(K::Interior) => {
-                    self.next()?;
-                    let start = material.interior.take();
-                    material.interior = Some(Arc::new(self.interior_block(start)?));
-                }
-                _ => break,
-            }
-        }
-        self.close("material")?;
-        Ok(material)
     }
 }
