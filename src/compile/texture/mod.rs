@@ -2,7 +2,6 @@
 //!
 //! Messages carry no place here; the caller knows which object asked.
 
-mod default_map;
 mod finish;
 mod normal;
 mod pattern;
@@ -113,8 +112,9 @@ impl<'s> TextureCompiler<'s> {
             PigmentKind::Solid(color) => Pigment::Solid(*color),
             PigmentKind::Colors(pattern, colors) => {
                 let colors = match colors {
-                    scene::Blend::Default => default_map::default_map(&pattern.kind),
-                    scene::Blend::List(list) => default_map::completed(list, &pattern.kind),
+                    scene::Blend::Default => {
+                        Blend::map(scene::default_colors(&pattern.kind).iter().map(|e| (f64::from(e.value), e.item)))
+                    }
                     named => self.blend(named, |_, c| Ok(*c))?,
                 };
                 match single_color(&colors) {

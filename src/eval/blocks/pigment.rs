@@ -3,7 +3,7 @@
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
-use crate::scene::{Blend, ImageMap, MapType, Pattern, PatternKind, Pigment, PigmentKind};
+use crate::scene::{Blend, ImageMap, MapEntry, MapType, Pattern, PatternKind, Pigment, PigmentKind, default_colors};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -43,20 +43,42 @@ impl Draft {
         Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping }
     }
 
-    /// After a pattern keyword: a map of the pattern before stays only where it can serve.
-    fn adopt_pattern(&mut self) {
+    /// After a pattern keyword with the items of a block pattern, if there are some.
+    ///
+    /// A block pattern without items shows its own colours. Others go on with the entries that are there, whatever
+    /// pattern they were written for: items of a block pattern stand at 0, 1, 2 and so on, as in POV-Ray.
+    fn adopt_pattern(&mut self, list: Option<Content>) {
         let block = self.pattern.kind.n_blocks().is_some();
-        let serves = match &self.content {
-            Content::Solid(_) | Content::Image(_) => false,
-            Content::Colors(colors) => matches!(colors, Blend::Map(_)) != block,
-            Content::Pigments(pigments) => match pigments {
-                Blend::Map(_) | Blend::Default => !block,
-                Blend::List(_) => block,
-                Blend::Average(_) => matches!(self.pattern.kind, PatternKind::Average),
+        let average = matches!(self.pattern.kind, PatternKind::Average);
+        let own = || default_colors(&self.pattern.kind).into_iter().map(|e| e.item);
+        let old = list.unwrap_or_else(|| match std::mem::replace(&mut self.content, Content::Colors(Blend::Default)) {
+            _ if block => Content::Colors(Blend::List(Vec::new())),
+            old => old,
+        });
+        self.content = match old {
+            Content::Colors(Blend::List(mut colors)) if block => {
+                colors.extend(own().skip(colors.len()));
+                Content::Colors(Blend::List(colors))
+            }
+            listed if block => listed,
+            Content::Colors(colors) => Content::Colors(entries(colors).map_or(Blend::Default, Blend::Map)),
+            Content::Pigments(pigments) => match entries(pigments) {
+                Some(entries) if average => Content::Pigments(Blend::Average(entries)),
+                Some(entries) => Content::Pigments(Blend::Map(entries)),
+                None => Content::Colors(Blend::Default),
             },
+            Content::Solid(_) | Content::Image(_) => Content::Colors(Blend::Default),
         };
-        if !serves {
-            self.content = Content::Colors(Blend::Default);
+    }
+}
+
+/// The entries of a map, list or average, if they were written.
+fn entries<T>(blend: Blend<T>) -> Option<Vec<MapEntry<T>>> {
+    match blend {
+        Blend::Default => None,
+        Blend::Map(entries) | Blend::Average(entries) => Some(entries),
+        Blend::List(items) => {
+            Some(items.into_iter().enumerate().map(|(i, item)| MapEntry { value: i as f32, item }).collect())
         }
     }
 }
@@ -130,10 +152,7 @@ impl Evaluator<'_> {
             Ok(())
         };
         if self.pattern_keyword(&mut draft.pattern, &mut read_list)? {
-            match list {
-                Some(list) => draft.content = list,
-                None => draft.adopt_pattern(),
-            }
+            draft.adopt_pattern(list);
             return Ok(true);
         }
         if self.starts_color()? {
