@@ -117,18 +117,13 @@ impl Evaluator<'_> {
                 return Ok(true);
             }
             Some(K::ColorMap | K::ColourMap) => {
-                let span = self.span();
+                self.check_pigment_map(draft, "color_map", false)?;
                 self.next()?;
-                let entries = self.color_map()?;
-                if draft.pattern.kind.n_blocks().is_some()
-                    || matches!(draft.content, Content::Solid(_) | Content::Image(_))
-                {
-                    return self.error(span, "a color_map needs a pattern that runs from 0 to 1 before it");
-                }
-                draft.content = Content::Colors(Blend::Map(entries));
+                draft.content = Content::Colors(Blend::Map(self.color_map()?));
                 return Ok(true);
             }
             Some(K::PigmentMap) => {
+                self.check_pigment_map(draft, "pigment_map", true)?;
                 self.next()?;
                 let average = matches!(draft.pattern.kind, PatternKind::Average);
                 draft.content = Content::Pigments(self.pigment_map(average)?);
@@ -160,6 +155,14 @@ impl Evaluator<'_> {
             return Ok(true);
         }
         self.pattern_modifier(&mut draft.pattern)
+    }
+
+    fn check_pigment_map(&mut self, draft: &Draft, what: &str, averages: bool) -> SourceResult<()> {
+        if matches!(draft.content, Content::Solid(_) | Content::Image(_)) {
+            let span = self.span();
+            return self.error(span, format!("a {what} needs a pattern that runs from 0 to 1 before it"));
+        }
+        self.check_map(&draft.pattern.kind, what, averages)
     }
 
     /// The items of a block pattern: all colours or all pigments.

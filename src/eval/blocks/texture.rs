@@ -152,6 +152,7 @@ impl Evaluator<'_> {
     fn patterned_item(&mut self, patterned: &mut PatternedTexture) -> SourceResult<bool> {
         match self.keyword()? {
             Some(K::TextureMap) => {
+                self.check_map(&patterned.pattern.kind, "texture_map", true)?;
                 self.next()?;
                 let average = matches!(patterned.pattern.kind, PatternKind::Average);
                 patterned.map = self.texture_map(average)?;
