@@ -144,7 +144,8 @@ impl Normal {
             n = inward(n, *linear, *keep_length);
         }
         let own = frame.compose(self.pattern_from_outer);
-        let inner = self.apply(n, point, own, context);
+        let bent = self.apply(n, point, own, context);
+        let inner = if bent.is_finite() { bent } else { n };
         n = inner.normalize_or(n);
         for (linear, keep_length) in frame.steps.iter().rev() {
             n = outward(n, *linear, *keep_length);
