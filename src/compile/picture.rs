@@ -2,9 +2,9 @@
 
 use crate::scene::ImageFormat;
 
-/// The name under which [`imaging::decode`](crate::imaging::decode) knows a file type; `None` for what it cannot read.
-pub(super) fn decoder_name(format: ImageFormat) -> Option<&'static str> {
-    Some(match format {
+/// The name under which [`imaging::decode`](crate::imaging::decode) knows a file type.
+pub(super) fn decoder_name(format: ImageFormat) -> &'static str {
+    match format {
         ImageFormat::Png => "png",
         ImageFormat::Gif => "gif",
         ImageFormat::Tga => "tga",
@@ -15,8 +15,7 @@ pub(super) fn decoder_name(format: ImageFormat) -> Option<&'static str> {
         ImageFormat::Exr => "exr",
         ImageFormat::Hdr => "hdr",
         ImageFormat::Pot => "pot",
-        ImageFormat::Iff => return None,
-    })
+    }
 }
 
 /// The 16-bit level, 0 to 65535, in which a picture made by a function holds a value; outside 0 to 1 it wraps

@@ -94,7 +94,7 @@ impl RawRay {
         let context =
             Context { normal: direction, perturbed_normal: direction, direction, point, ..Context::default() };
         let bent = normal.perturb(direction, point, &Frame::default(), &context);
-        Ray::new(self.origin, bent.normalize_or(direction))
+        Ray::new(self.origin, bent.normal.normalize_or(direction))
     }
 }
 

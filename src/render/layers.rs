@@ -50,11 +50,12 @@ impl Tracer<'_> {
     /// The light from a texture at a point of its containing space.
     ///
     /// `plain` holds for textures that no pattern chose; only those obey legacy finish keywords.
+    /// What `frame` enters it keeps: bumps of later items pass through the spaces of earlier ones, as in POV-Ray.
     pub(super) fn shade_texture<G: Gather>(
         &mut self,
         texture: &Texture,
         point: DVec3,
-        frame: &Frame,
+        frame: &mut Frame,
         place: &mut Place<'_>,
         plain: bool,
     ) -> G {
@@ -64,19 +65,18 @@ impl Tracer<'_> {
         };
         let (pick, warped) = patterned.pattern.pick(&patterned.items, point, &place.context);
         let point = if patterned.uv_mapping { place.context.uv_point() } else { warped };
-        let mut frame = frame.clone();
         frame.enter(&patterned.pattern, patterned.no_bump_scale);
         match pick {
-            Pick::One(item) => self.shade_texture(item, point, &frame, place, false),
+            Pick::One(item) => self.shade_texture(item, point, frame, place, false),
             Pick::Two(lower, upper, t) => {
-                let mut mixed = self.shade_texture::<G>(upper, point, &frame, place, false).scaled(t);
-                mixed.add_scaled(&self.shade_texture(lower, point, &frame, place, false), 1.0 - t);
+                let mut mixed = self.shade_texture::<G>(upper, point, frame, place, false).scaled(t);
+                mixed.add_scaled(&self.shade_texture(lower, point, frame, place, false), 1.0 - t);
                 mixed
             }
             Pick::All(items) => {
                 let mut sum = G::default();
                 for (weight, item) in items {
-                    sum.add_scaled(&self.shade_texture(item, point, &frame, place, false), *weight);
+                    sum.add_scaled(&self.shade_texture(item, point, frame, place, false), *weight);
                 }
                 sum
             }
@@ -159,8 +159,8 @@ impl Tracer<'_> {
         match &layer.normal {
             Some(normal) if self.options.reflection_and_normals() => {
                 let bumped = normal.perturb(place.facing, point, frame, &place.context);
-                place.context.perturbed_normal = bumped;
-                bumped
+                place.context.perturbed_normal = bumped.inner;
+                bumped.normal
             }
             _ => place.facing,
         }

@@ -138,36 +138,46 @@ impl Tracer<'_> {
     fn surface_transmittance(&mut self, surface: &Surface, hit: &Hit, ray: &Ray) -> Rgb {
         let direction = ray.direction;
         let facing = if surface.normal.dot(direction) > 0.0 { -surface.normal } else { surface.normal };
-        let context =
+        let mut context =
             Context { uv: surface.uv, normal: facing, perturbed_normal: facing, direction, point: surface.point };
         let caustics = self.world.interior(surface.interior.interior).caustics;
         let mut sum = Rgb::ZERO;
         for seen in &surface.textures {
             let texture = self.world.texture(seen.texture);
-            let (point, frame) = if surface.uv_mapping {
+            let (point, mut frame) = if surface.uv_mapping {
                 (context.uv_point(), Frame::default())
             } else {
                 let texture_from_world = self.world.geometry.texture_from_world(hit, seen);
                 (texture_from_world.point(surface.point), Frame::new(&texture_from_world))
             };
             let caustics = texture.top_layer().and_then(|top| top.finish.caustics).unwrap_or(caustics);
-            sum += seen.weight * self.transmittance(texture, point, &frame, &context, caustics);
+            sum += seen.weight * self.transmittance(texture, point, &mut frame, &mut context, caustics);
         }
         sum
     }
 
-    fn transmittance(&self, texture: &Texture, point: DVec3, frame: &Frame, context: &Context, caustics: f64) -> Rgb {
+    /// What a texture lets through; spaces and bumps are kept for what is still to come, as in shading.
+    fn transmittance(
+        &self,
+        texture: &Texture,
+        point: DVec3,
+        frame: &mut Frame,
+        context: &mut Context,
+        caustics: f64,
+    ) -> Rgb {
         let layers = match texture {
             Texture::Layers(layers) => layers,
             Texture::Patterned(patterned) => {
                 let (pick, warped) = patterned.pattern.pick(&patterned.items, point, context);
                 let point = if patterned.uv_mapping { context.uv_point() } else { warped };
-                let mut frame = frame.clone();
                 frame.enter(&patterned.pattern, patterned.no_bump_scale);
-                let of = |item: &Texture| self.transmittance(item, point, &frame, context, caustics);
+                let mut of = |item: &Texture| self.transmittance(item, point, frame, context, caustics);
                 return match pick {
                     Pick::One(item) => of(item),
-                    Pick::Two(lower, upper, t) => of(lower).lerp(of(upper), t),
+                    Pick::Two(lower, upper, t) => {
+                        let upper = of(upper);
+                        of(lower).lerp(upper, t)
+                    }
                     Pick::All(items) => items.iter().map(|(w, item)| *w * of(item)).sum(),
                 };
             }
@@ -179,10 +189,11 @@ impl Tracer<'_> {
                 filter *= color.transmittance();
             }
             if caustics != 0.0 {
-                let normal = match &layer.normal {
-                    Some(normal) => normal.perturb(context.normal, point, frame, context),
-                    None => context.normal,
-                };
+                let mut normal = context.normal;
+                if let Some(bumps) = &layer.normal {
+                    let bent = bumps.perturb(normal, point, frame, context);
+                    (normal, context.perturbed_normal) = (bent.normal, bent.inner);
+                }
                 filter *= 1.0 + normal.dot(context.direction).abs().powf(caustics) as f32;
             }
         }

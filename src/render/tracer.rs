@@ -163,12 +163,12 @@ impl<'w> Tracer<'w> {
             }
             let texture = world.texture(seen.texture);
             let shaded: G = if surface.uv_mapping {
-                self.shade_texture(texture, context.uv_point(), &Frame::default(), &mut place, true)
+                self.shade_texture(texture, context.uv_point(), &mut Frame::default(), &mut place, true)
             } else {
                 let texture_from_world = world.geometry.texture_from_world(hit, seen);
                 let point = texture_from_world.point(surface.point);
-                let frame = Frame::new(&texture_from_world);
-                self.shade_texture(texture, point, &frame, &mut place, true)
+                let mut frame = Frame::new(&texture_from_world);
+                self.shade_texture(texture, point, &mut frame, &mut place, true)
             };
             found.add_scaled(&shaded, seen.weight);
         }

@@ -15,6 +15,7 @@
 
 mod atmosphere;
 mod camera;
+mod default_colors;
 mod dump;
 mod interior;
 mod light;
@@ -26,6 +27,7 @@ mod texture;
 
 pub use atmosphere::*;
 pub use camera::*;
+pub use default_colors::default_colors;
 pub use interior::*;
 pub use light::*;
 pub use object::*;

@@ -120,7 +120,6 @@ pub enum ImageFormat {
     Pnm,
     Jpeg,
     Tiff,
-    Iff,
     Exr,
     Hdr,
     Pot,

@@ -22,6 +22,10 @@ pub struct TextureLayer {
     pub normal: Option<Arc<Normal>>,
     /// Response to light.
     pub finish: Arc<Finish>,
+    /// `no_bump_scale` on the texture itself.
+    pub no_bump_scale: bool,
+    /// An upper layer of a scene up to version 3.1: what its colours filter they let through as it is.
+    pub unfiltered: bool,
 }
 
 /// A texture chosen or mixed by a pattern.
@@ -40,11 +44,11 @@ pub struct PatternedTexture {
 /// How a pattern's value picks among items.
 #[derive(Clone, Debug)]
 pub enum Blend<T> {
-    /// The pattern's own colours (section 11 of the pattern facts).
+    /// The pattern's own colours, as [`default_colors`](super::default_colors) gives them.
     Default,
     /// `*_map`: linear between entries sorted as written.
     Map(Vec<MapEntry<T>>),
-    /// Block patterns: one item for each index; where fewer are given, the pattern's own colours follow.
+    /// Block patterns: one item for each index.
     List(Vec<T>),
     /// `average`: weights and items.
     Average(Vec<MapEntry<T>>),

@@ -77,3 +77,54 @@ fn the_last_bumps_stay_for_slopes() {
     floor(&format!("texture{{{sloped}}} {film}"), 0.957809);
     floor(&format!("{film} texture{{{sloped}}}"), 1.0);
 }
+
+/// Section 13 of the pattern facts: up to version 3.1, what upper layers filter they let through as it is.
+#[test]
+fn upper_layers_of_old_scenes_do_not_filter() {
+    const BELOW: &str = "texture{pigment{rgb <0,1,.5>} finish{ambient 1 diffuse 0}}";
+    let above = |pigment: &str| format!("texture{{pigment{{{pigment}}} finish{{ambient 1 diffuse 0}}}}");
+    let film = &above("rgbf <1,0,.25,.5>");
+    let (filtered, unfiltered) = ([0.500008, 0.0, 0.187503], [0.500008, 0.500008, 0.375006]);
+    let wall = |text: &str, expected: [f32; 3]| check(&format!("{CZ} {text}"), expected);
+    wall(&format!("#version 3.11; plane{{-z,0 {BELOW} {film}}}"), filtered);
+    for version in ["3.1", "3.0"] {
+        wall(&format!("#version {version}; plane{{-z,0 {BELOW} {film}}}"), unfiltered);
+    }
+    let clear = "background{rgb <.2,.7,.4>}";
+    let below = above("rgbf <0.5,1,.5,.6>");
+    wall(&format!("#version 3.1; {clear} plane{{-z,0 {below} {film}}}"), [0.629999, 0.409995, 0.284993]);
+    wall(&format!("#version 3.1; {clear} plane{{-z,0 {film}}}"), [0.600000, 0.000000, 0.175006]);
+    // All entries of maps, but not what a pattern takes its values from.
+    for (pigment, expected) in [
+        (
+            "gradient x translate -.25*x color_map{[0 rgbf <1,0,.25,.5>][1 rgbft <.2,.9,.5,.6,.1>]}",
+            [0.360006, 0.651255, 0.415625],
+        ),
+        (
+            "gradient x translate -.25*x pigment_map{[0 gradient y translate -.3*y \
+                color_map{[0 rgbf <1,0,.25,.5>][1 rgbf <.3,.6,.9,.8>]}][1 rgbft <.2,.9,.5,.6,.1>]}",
+            [0.245762, 0.755200, 0.484215],
+        ),
+        ("checker rgbf <1,0,.25,.5> rgbf <.3,.6,.9,.8> translate .1", [0.059998, 0.919997, 0.579995]),
+        ("average pigment_map{[1 rgbf <1,0,.25,.5>][2 rgbf <.3,.6,.9,.8>]}", [0.160006, 0.820005, 0.555001]),
+        ("pigment_pattern{rgbf <1,0,.25,.5>} color_map{[0 rgb 0][1 rgbf 1]}", [0.219547, 0.545052, 0.382300]),
+    ] {
+        wall(&format!("#version 3.1; plane{{-z,0 {BELOW} {}}}", above(pigment)), expected);
+    }
+    // The version counts where a texture comes to lie over another, or is declared or used with its layers.
+    let declared = format!("#declare T={BELOW} {film} #version 3.1;");
+    wall(&format!("#version 3.1; #declare T={film} #version 3.7; plane{{-z,0 {BELOW} texture{{T}}}}"), filtered);
+    wall(&format!("#declare T={film} #version 3.1; plane{{-z,0 {BELOW} texture{{T}}}}"), unfiltered);
+    wall(&format!("{declared} plane{{-z,0 texture{{T}}}}"), unfiltered);
+    wall(&format!("{declared} #declare U=texture{{T}} #version 3.7; plane{{-z,0 texture{{U}}}}"), unfiltered);
+    wall(&format!("{declared} plane{{-z,0 texture{{average texture_map{{[1 T]}}}}}}"), filtered);
+    wall(&format!("#declare M=material{{{BELOW} {film}}} #version 3.1; plane{{-z,0 material{{M}}}}"), unfiltered);
+    let object = format!("#declare O=plane{{-z,0 {BELOW} {film}}} #version 3.1;");
+    wall(&format!("{object} object{{O}}"), filtered);
+    let more = above("rgbf <.3,.6,.9,.8>");
+    wall(&format!("{object} object{{O {more}}}"), [0.459998, 0.119997, 0.330007]);
+    // A later pigment of the object has its own say.
+    let late = "pigment{rgbf <.3,.6,.9,.8>}";
+    wall(&format!("#version 3.1; plane{{-z,0 {BELOW} {film} {late}}}"), [0.084001, 0.648005, 0.611994]);
+    wall(&format!("{declared} plane{{-z,0 texture{{T {late}}}}}"), [0.059998, 0.919997, 0.579995]);
+}

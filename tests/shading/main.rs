@@ -3,6 +3,7 @@
 //! Every number is read from a linear 16-bit picture by POV-Ray 3.7.0.10 and is good to 8e-6.
 
 mod atmosphere;
+mod bumps;
 mod finishes;
 mod interiors;
 mod layers;

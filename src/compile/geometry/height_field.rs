@@ -15,8 +15,7 @@ use crate::scene::{self, ImageFormat, ImageSource, Working};
 pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGrid>, String> {
     let (width, depth, top_down) = match &field.image.source {
         ImageSource::File { path, format } => {
-            let name = decoder_name(*format).ok_or("this picture type is not supported in height_field")?;
-            let mut pixels = decode(path, name).map_err(|e| e.to_string())?;
+            let mut pixels = decode(path, decoder_name(*format)).map_err(|e| e.to_string())?;
             if *format == ImageFormat::Pot {
                 let heights = from_potential(&pixels).ok_or("a pot file must be a GIF of even width")?;
                 (pixels.width / 2, pixels.height, heights)

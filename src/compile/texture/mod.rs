@@ -2,13 +2,12 @@
 //!
 //! Messages carry no place here; the caller knows which object asked.
 
-mod default_map;
 mod finish;
 mod normal;
 mod pattern;
 mod picture;
 
-use crate::compiled::texture::{Blend, Layer, PatternedTexture, Pigment, Texture, WaveSources};
+use crate::compiled::texture::{Blend, Layer, Normal, PatternedTexture, Pigment, Texture, WaveSources};
 use crate::math::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{self, PigmentKind, Settings};
@@ -73,20 +72,28 @@ impl<'s> TextureCompiler<'s> {
                 if let crate::compiled::texture::PatternKind::Material(_, _, n) = &mut pattern.kind {
                     *n = items.iter().count();
                 }
-                Texture::Patterned(Box::new(PatternedTexture {
-                    pattern,
-                    items,
-                    no_bump_scale: patterned.no_bump_scale,
-                    uv_mapping: patterned.uv_mapping,
-                }))
+                let uv_mapping = patterned.uv_mapping;
+                let mut compiled = PatternedTexture { pattern, items, no_bump_scale: false, uv_mapping };
+                if patterned.no_bump_scale {
+                    compiled.keep_bump_depth();
+                }
+                Texture::Patterned(Box::new(compiled))
             }
         })
     }
 
     fn layer(&mut self, layer: &scene::TextureLayer) -> Result<Layer, Refusal> {
+        let mut normal = layer.normal.as_ref().map(|n| self.normal(n)).transpose()?;
+        if layer.no_bump_scale {
+            normal.iter_mut().for_each(Normal::keep_bump_depth);
+        }
+        let mut pigment = self.pigment(&layer.pigment)?;
+        if layer.unfiltered {
+            pigment.unfilter();
+        }
         Ok(Layer {
-            pigment: self.pigment(&layer.pigment)?,
-            normal: layer.normal.as_ref().map(|n| self.normal(n)).transpose()?,
+            pigment,
+            normal,
             finish: finish::compile(&layer.finish, self.settings),
             quick_color: layer.pigment.quick_color,
         })
@@ -105,8 +112,9 @@ impl<'s> TextureCompiler<'s> {
             PigmentKind::Solid(color) => Pigment::Solid(*color),
             PigmentKind::Colors(pattern, colors) => {
                 let colors = match colors {
-                    scene::Blend::Default => default_map::default_map(&pattern.kind),
-                    scene::Blend::List(list) => default_map::completed(list, &pattern.kind),
+                    scene::Blend::Default => {
+                        Blend::map(scene::default_colors(&pattern.kind).iter().map(|e| (f64::from(e.value), e.item)))
+                    }
                     named => self.blend(named, |_, c| Ok(*c))?,
                 };
                 match single_color(&colors) {

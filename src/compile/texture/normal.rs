@@ -42,23 +42,20 @@ impl TextureCompiler<'_> {
                 (NormalKind::Facets(pattern, Facets { coords: *coords, size: *size, metric: *metric }), linear)
             }
         };
-        let compiled = Normal {
+        let of = |kind, pattern_from_outer| Normal {
             kind,
             amount: f64::from(normal.amount),
             accuracy: f64::from(normal.accuracy),
-            no_bump_scale: normal.no_bump_scale,
-            pattern_from_outer: linear,
+            no_bump_scale: false,
+            pattern_from_outer,
         };
-        Ok(if normal.uv_mapping {
-            Normal {
-                kind: NormalKind::Uv(Box::new(compiled)),
-                amount: f64::from(normal.amount),
-                accuracy: f64::from(normal.accuracy),
-                no_bump_scale: normal.no_bump_scale,
-                pattern_from_outer: DMat3::IDENTITY,
-            }
-        } else {
-            compiled
-        })
+        let mut compiled = of(kind, linear);
+        if normal.uv_mapping {
+            compiled = of(NormalKind::Uv(Box::new(compiled)), DMat3::IDENTITY);
+        }
+        if normal.no_bump_scale {
+            compiled.keep_bump_depth();
+        }
+        Ok(compiled)
     }
 }

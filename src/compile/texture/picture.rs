@@ -59,9 +59,10 @@ impl TextureCompiler<'_> {
         if let Some(pixels) = self.pictures.files.get(path) {
             return Ok(Arc::clone(pixels));
         }
-        let readable = decoder_name(format).filter(|_| format != ImageFormat::Pot);
-        let kind = readable.ok_or_else(|| format!("{}: pictures of this type cannot be read", path.display()))?;
-        let pixels = Arc::new(imaging::decode(path, kind).map_err(|e| e.to_string())?);
+        if format == ImageFormat::Pot {
+            return Err(format!("{}: pot files are for height fields only", path.display()));
+        }
+        let pixels = Arc::new(imaging::decode(path, decoder_name(format)).map_err(|e| e.to_string())?);
         self.pictures.files.insert(path.to_owned(), Arc::clone(&pixels));
         Ok(pixels)
     }
@@ -122,7 +123,7 @@ fn color_curve(image: &scene::Image, format: ImageFormat, pixels: &Pixels, mode:
         Gamma::Linear(working) => (
             working,
             match format {
-                ImageFormat::Pnm | ImageFormat::Tiff | ImageFormat::Iff => None,
+                ImageFormat::Pnm | ImageFormat::Tiff => None,
                 _ => Some(Working::Srgb),
             },
         ),

@@ -72,12 +72,15 @@ impl Geometry {
         let primitive = &self.primitives[hit.primitive as usize];
         let inherited = self.looks_of(primitive.look, &hit.path);
         let look = &inherited.look;
-        let own = self.textures_of_part(&primitive.shape, hit.part, DVec3::ZERO);
+        let has_own = match &primitive.shape {
+            Shape::Blob(blob) => blob.has_textures,
+            shape => !self.textures_of_part(shape, hit.part, DVec3::ZERO).is_empty(),
+        };
         let blocks = |placement: u32| {
             let texture = self.placements.get(placement as usize).map(|p| p.texture);
             texture.is_some_and(|t| opaque.get(t.0 as usize).copied().unwrap_or(false))
         };
-        own.is_empty()
+        !has_own
             && look.cutaway.is_none()
             && look.texture.is_some_and(blocks)
             && look.interior_texture.is_none_or(blocks)
@@ -225,7 +228,7 @@ impl Geometry {
     ) -> SmallVec<[TextureRef; 1]> {
         let look = &inherited.look;
         let whole = |weight: f32| look.texture.map(|texture| self.placed(texture, weight, inherited.depths.texture));
-        let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.parts.iter().any(|p| p.texture.is_some()));
+        let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.has_textures);
         if from_inside
             && !mixes
             && let Some(placement) = look.interior_texture

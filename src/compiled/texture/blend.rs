@@ -60,6 +60,15 @@ impl<T> Blend<T> {
         items.iter().chain(weighted.iter().map(|(_, item)| item))
     }
 
+    /// All items, to change.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        let (items, weighted): (&mut [T], &mut [(f32, T)]) = match self {
+            Self::Map { items, .. } => (items, &mut []),
+            Self::Average(weighted) => (&mut [], weighted),
+        };
+        items.iter_mut().chain(weighted.iter_mut().map(|(_, item)| item))
+    }
+
     /// What stands at a value.
     ///
     /// The last entry at and above its value; else the first entry not below the value, alone

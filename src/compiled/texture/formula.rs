@@ -15,7 +15,10 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
     match &pattern.kind {
         PatternKind::None => 0.0,
         PatternKind::Agate { generator, octaves, amount } => noise_formula::agate(*generator, *octaves, *amount, p),
-        PatternKind::Aoi => context.shading_normal().dot(context.direction).clamp(-1.0, 1.0).acos() / PI,
+        PatternKind::Aoi => {
+            let normal = context.shading_normal().normalize_or_zero();
+            normal.dot(context.direction).clamp(-1.0, 1.0).acos() / PI
+        }
         PatternKind::Boxed => falling(p.abs().max_element()),
         PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => noise(*generator, p),
         PatternKind::Brick { size, mortar } => brick(p, *size, *mortar),

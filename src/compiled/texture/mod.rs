@@ -37,7 +37,7 @@ pub use density_file::DensityFile;
 pub use finish::{Finish, Reflection};
 pub use fractal::{Coloring, Fractal, FractalSet};
 pub use noise_formula::{InnerTurbulence, WaveSources};
-pub use normal::{Facets, Frame, Normal, NormalKind, SlopeEntry};
+pub use normal::{Bent, Facets, Frame, Normal, NormalKind, SlopeEntry};
 pub use pattern::{Context, Pattern, PatternKind, Wave};
 pub use pavement::Pavement;
 pub use penrose::Penrose;
@@ -97,11 +97,32 @@ impl Texture {
         self.top_layer().is_some_and(|top| top.finish.ior.is_some())
     }
 
+    /// Lets bumps keep their depth when they are scaled; of layers, as in POV-Ray, those of the uppermost.
+    pub fn keep_bump_depth(&mut self) {
+        match self {
+            Self::Layers(layers) => {
+                let top = layers.last_mut().and_then(|top| top.normal.as_mut());
+                top.into_iter().for_each(Normal::keep_bump_depth);
+            }
+            Self::Patterned(patterned) => patterned.keep_bump_depth(),
+        }
+    }
+
     /// The uppermost layer, if this is a plain texture.
     pub fn top_layer(&self) -> Option<&Layer> {
         match self {
             Self::Layers(layers) => layers.last(),
             Self::Patterned(_) => None,
+        }
+    }
+}
+
+impl PatternedTexture {
+    /// As [`Texture::keep_bump_depth`]; the textures of a `material_map` stay as they are, as in POV-Ray.
+    pub fn keep_bump_depth(&mut self) {
+        self.no_bump_scale = true;
+        if !matches!(self.pattern.kind, PatternKind::Material(..)) {
+            self.items.iter_mut().for_each(Texture::keep_bump_depth);
         }
     }
 }

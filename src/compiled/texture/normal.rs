@@ -125,29 +125,51 @@ fn outward(n: DVec3, inner_from_outer: DMat3, keep_length: bool) -> DVec3 {
     if keep_length { m } else { m.normalize_or(n) }
 }
 
+/// What a normal statement makes of a normal.
+#[derive(Clone, Copy, Debug)]
+pub struct Bent {
+    /// World space, for shading; a unit vector but where enclosing textures keep the depth of bumps.
+    pub normal: DVec3,
+    /// What slope and aoi take for the normal from now on: still in the space of the innermost texture.
+    pub inner: DVec3,
+}
+
 impl Normal {
-    /// The perturbed unit normal in world space.
+    /// The perturbed normal.
     ///
     /// `point` lies in the space that contains the statement, `normal` is a unit world vector.
-    pub fn perturb(&self, normal: DVec3, point: DVec3, frame: &Frame, context: &Context) -> DVec3 {
+    pub fn perturb(&self, normal: DVec3, point: DVec3, frame: &Frame, context: &Context) -> Bent {
         let mut n = normal;
         for (linear, keep_length) in &frame.steps {
             n = inward(n, *linear, *keep_length);
         }
         let own = frame.compose(self.pattern_from_outer);
-        n = self.apply(n, point, own, context);
+        let bent = self.apply(n, point, own, context);
+        let inner = if bent.is_finite() { bent } else { n };
+        n = inner.normalize_or(n);
         for (linear, keep_length) in frame.steps.iter().rev() {
             n = outward(n, *linear, *keep_length);
         }
         // A patterned texture's own `no_bump_scale` leaves the length as it is, as in POV-Ray.
-        if frame.steps.first().is_some_and(|s| s.1) { n } else { n.normalize_or(normal) }
+        let normal = if frame.steps.first().is_some_and(|s| s.1) { n } else { n.normalize_or(normal) };
+        Bent { normal, inner }
+    }
+
+    /// Lets bumps keep their depth when they are scaled.
+    pub fn keep_bump_depth(&mut self) {
+        self.no_bump_scale = true;
+        match &mut self.kind {
+            NormalKind::Normals(_, normals) => normals.iter_mut().for_each(Self::keep_bump_depth),
+            NormalKind::Uv(inner) => inner.keep_bump_depth(),
+            NormalKind::Pattern(..) | NormalKind::BumpMap(..) | NormalKind::Facets(..) => {}
+        }
     }
 
     /// In and out of one statement's space.
     fn apply(&self, outer: DVec3, point: DVec3, own: DMat3, context: &Context) -> DVec3 {
         let local = inward(outer, own, self.no_bump_scale);
         let bent = self.bend(local, point, context);
-        outward(bent, own, false).normalize_or(outer)
+        outward(bent, own, self.no_bump_scale)
     }
 
     fn bend(&self, n: DVec3, point: DVec3, context: &Context) -> DVec3 {
@@ -217,7 +239,7 @@ mod tests {
             pattern_from_outer: DMat3::IDENTITY,
         };
         for (p, expected) in points {
-            let found = normal.perturb(DVec3::Y, DVec3::from(*p), &Frame::default(), &Context::default());
+            let found = normal.perturb(DVec3::Y, DVec3::from(*p), &Frame::default(), &Context::default()).normal;
             assert!((found - DVec3::from(*expected)).abs().max_element() < 2e-5, "{found} {expected:?}");
         }
     }

@@ -50,6 +50,21 @@ impl Pigment {
         }
     }
 
+    /// Lets all light through unchanged that was filtered, but for that of pictures.
+    pub fn unfilter(&mut self) {
+        let unfilter = |c: &mut Color| {
+            c.transmit += c.filter;
+            c.filter = 0.0;
+        };
+        match self {
+            Self::Solid(color) => unfilter(color),
+            Self::Colors(_, colors) => colors.iter_mut().for_each(unfilter),
+            Self::Pigments(_, pigments) => pigments.iter_mut().for_each(Self::unfilter),
+            Self::Uv(pigment) => pigment.unfilter(),
+            Self::Image(..) => {}
+        }
+    }
+
     /// Whether no light comes through anywhere.
     pub fn is_opaque(&self) -> bool {
         let opaque = |c: &Color| c.filter == 0.0 && c.transmit == 0.0;

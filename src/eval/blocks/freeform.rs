@@ -3,9 +3,7 @@
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
 use crate::math::{DVec2, DVec3, Transform};
-use crate::scene::{
-    BicubicPatch, Blob, BlobComponent, HeightField, ImageFormat, ImageSource, Prism, Shape, SweepSpline, Text,
-};
+use crate::scene::{BicubicPatch, Blob, BlobComponent, HeightField, Prism, Shape, SweepSpline, Text};
 use crate::syntax::Keyword as K;
 use std::path::Path;
 use std::sync::Arc;
@@ -15,11 +13,7 @@ const POV_DEGENERATE: f64 = 1e-10;
 
 impl Evaluator<'_> {
     pub(super) fn height_field(&mut self) -> SourceResult<Shape> {
-        let span = self.span();
         let image = self.image()?;
-        if matches!(image.source, ImageSource::File { format: ImageFormat::Iff, .. }) {
-            return self.error(span, "a height_field cannot be read from an iff file");
-        }
         let mut field = HeightField { image, water_level: f64::NEG_INFINITY, smooth: false };
         loop {
             self.comma()?;

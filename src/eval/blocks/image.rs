@@ -5,20 +5,20 @@ use crate::eval::Evaluator;
 use crate::scene::{Image, ImageFormat, ImageMapping, ImageSource, MapType, Working};
 use crate::syntax::Keyword as K;
 
-/// Type keywords, the extensions a file of that type may have, and the format.
-const TYPES: &[(K, &[&str], ImageFormat)] = &[
-    (K::Png, &["png", "PNG"], ImageFormat::Png),
-    (K::Gif, &["gif", "GIF"], ImageFormat::Gif),
-    (K::Tga, &["tga", "TGA"], ImageFormat::Tga),
-    (K::Bmp, &["bmp", "BMP"], ImageFormat::Bmp),
-    (K::Ppm, &["ppm", "PPM"], ImageFormat::Pnm),
-    (K::Pgm, &["pgm", "PGM"], ImageFormat::Pnm),
-    (K::Jpeg, &["jpg", "JPG", "jpeg", "JPEG"], ImageFormat::Jpeg),
-    (K::Tiff, &["tif", "TIF", "tiff", "TIFF"], ImageFormat::Tiff),
-    (K::Iff, &["iff", "IFF"], ImageFormat::Iff),
-    (K::Exr, &["exr", "EXR"], ImageFormat::Exr),
-    (K::Hdr, &["hdr", "HDR"], ImageFormat::Hdr),
-    (K::Pot, &["pot", "POT"], ImageFormat::Pot),
+/// Type keywords, the extensions a file of that type may have, and the format, if it can be read.
+const TYPES: &[(K, &[&str], Option<ImageFormat>)] = &[
+    (K::Png, &["png", "PNG"], Some(ImageFormat::Png)),
+    (K::Gif, &["gif", "GIF"], Some(ImageFormat::Gif)),
+    (K::Tga, &["tga", "TGA"], Some(ImageFormat::Tga)),
+    (K::Bmp, &["bmp", "BMP"], Some(ImageFormat::Bmp)),
+    (K::Ppm, &["ppm", "PPM"], Some(ImageFormat::Pnm)),
+    (K::Pgm, &["pgm", "PGM"], Some(ImageFormat::Pnm)),
+    (K::Jpeg, &["jpg", "JPG", "jpeg", "JPEG"], Some(ImageFormat::Jpeg)),
+    (K::Tiff, &["tif", "TIF", "tiff", "TIFF"], Some(ImageFormat::Tiff)),
+    (K::Iff, &["iff", "IFF"], None),
+    (K::Exr, &["exr", "EXR"], Some(ImageFormat::Exr)),
+    (K::Hdr, &["hdr", "HDR"], Some(ImageFormat::Hdr)),
+    (K::Pot, &["pot", "POT"], Some(ImageFormat::Pot)),
 ];
 
 impl Evaluator<'_> {
@@ -102,8 +102,12 @@ impl Evaluator<'_> {
         let Some((_, extensions, format)) = chosen else {
             return self.error(span, format!("the type of the image \"{name}\" cannot be told from its name"));
         };
+        let Some(format) = *format else {
+            let hint = "POV-Ray 3.7 finds an unexpected end in every such file; PNG can hold the same picture";
+            return self.error_with_hint(span, format!("IFF pictures such as \"{name}\" cannot be read"), hint);
+        };
         match self.find_typed(&name, extensions) {
-            Some(path) => Ok(ImageSource::File { path, format: *format }),
+            Some(path) => Ok(ImageSource::File { path, format }),
             None => self.error(span, format!("cannot find the image \"{name}\"")),
         }
     }

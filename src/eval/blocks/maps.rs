@@ -4,7 +4,7 @@ use crate::diag::SourceResult;
 use crate::eval::colors::is_color_word;
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
-use crate::scene::{Blend, Density, MapEntry, Normal, Pigment, Texture};
+use crate::scene::{Blend, Density, MapEntry, Normal, PatternKind, Pigment, Texture};
 use std::sync::Arc;
 
 /// As POV-Ray has it.
@@ -18,6 +18,19 @@ enum Values {
 }
 
 impl Evaluator<'_> {
+    /// Refuses the map that comes next where the pattern takes a list instead or, but for maps that can be
+    /// averaged, is an average.
+    pub(super) fn check_map(&mut self, kind: &PatternKind, what: &str, averages: bool) -> SourceResult<()> {
+        let hint = match kind {
+            PatternKind::Average if !averages => "average takes a pigment_map, normal_map, texture_map or density_map",
+            PatternKind::Average => return Ok(()),
+            kind if kind.n_blocks().is_some() => "its items stand behind the pattern's name, without a map",
+            _ => return Ok(()),
+        };
+        let span = self.span();
+        self.error_with_hint(span, format!("this pattern takes no {what}"), hint)
+    }
+
     /// `{ IDENTIFIER }` or `{ [v item] … }`, after the keyword.
     ///
     /// `pick` recognises a map identifier; `item` reads what stands after the value and pushes it.

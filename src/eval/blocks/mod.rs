@@ -12,6 +12,7 @@ mod function;
 mod image;
 mod implicit;
 mod interior;
+mod layers;
 mod light;
 mod maps;
 mod mesh;
@@ -26,8 +27,8 @@ mod texture;
 
 pub use camera::CameraStatement;
 pub use defaults::Defaults;
+pub use layers::Material;
 pub(super) use object::is_object_keyword;
-pub use texture::Material;
 
 use super::{Evaluator, Value};
 use crate::diag::{SourceResult, Topic};

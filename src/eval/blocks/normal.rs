@@ -69,11 +69,17 @@ impl Evaluator<'_> {
                 }
             }
             Some(K::SlopeMap) => {
+                self.check_map(&pattern_of(&mut normal.kind).kind, "slope_map", false)?;
                 self.next()?;
                 let map = self.slope_map()?;
                 normal.kind = NormalKind::Pattern(take_pattern(&mut normal.kind), Some(map));
             }
             Some(K::NormalMap) => {
+                if matches!(normal.kind, NormalKind::Facets { .. }) {
+                    let span = self.span();
+                    return self.error(span, "facets take no normal_map");
+                }
+                self.check_map(&pattern_of(&mut normal.kind).kind, "normal_map", true)?;
                 self.next()?;
                 let average = matches!(pattern_of(&mut normal.kind).kind, PatternKind::Average);
                 let map = self.normal_map(average)?;
@@ -89,7 +95,7 @@ impl Evaluator<'_> {
             }
             Some(K::NoBumpScale) => {
                 self.next()?;
-                normal.no_bump_scale = self.optional_bool()?;
+                normal.no_bump_scale = true;
             }
             Some(K::UvMapping) => {
                 self.next()?;

@@ -2,7 +2,7 @@
 
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
-use crate::scene::{CsgOperation, Object, PhotonFlags, PlacedTexture, Shape, Texture, TextureLayer};
+use crate::scene::{CsgOperation, Object, PhotonFlags, PlacedTexture, Shape, Texture};
 use crate::syntax::{Keyword as K, TokenKind};
 use std::sync::Arc;
 
@@ -170,38 +170,6 @@ impl Evaluator<'_> {
             _ => return Ok(false),
         }
         Ok(true)
-    }
-
-    pub(super) fn layer_over(
-        &mut self,
-        below: Option<PlacedTexture>,
-        top: Arc<Texture>,
-        span: Span,
-    ) -> SourceResult<PlacedTexture> {
-        let texture = match below {
-            Some(below) => self.stack(in_place(below), top, span)?,
-            None => top,
-        };
-        Ok(PlacedTexture::new(texture))
-    }
-
-    /// `pigment`, `normal` or `finish` of an object: a part of its texture's top layer.
-    pub(super) fn change_top_layer(
-        &mut self,
-        placed: Option<PlacedTexture>,
-        span: Span,
-    ) -> SourceResult<PlacedTexture> {
-        let mut layers = match placed.map(|p| Arc::unwrap_or_clone(in_place(p))) {
-            None => vec![self.defaults.layer.clone()],
-            Some(Texture::Layers(layers)) => layers,
-            Some(Texture::Patterned(_)) => {
-                return self.error(span, "a patterned texture takes no pigment, normal or finish of its own");
-            }
-        };
-        let mut top = layers.pop().unwrap_or_else(TextureLayer::default);
-        self.layer_item(&mut top)?;
-        layers.push(top);
-        Ok(PlacedTexture::new(Arc::new(Texture::Layers(layers))))
     }
 
     fn flag_modifier(&mut self, keyword: K, object: &mut Object) -> SourceResult<bool> {
@@ -433,7 +401,7 @@ fn copy_of(object: &Object, name: Arc<str>, span: Span) -> Object {
 }
 
 /// The texture with its placement worked into it.
-fn in_place(placed: PlacedTexture) -> Arc<Texture> {
+pub(super) fn in_place(placed: PlacedTexture) -> Arc<Texture> {
     let mut texture = placed.texture;
     if !placed.place.is_identity() {
         Arc::make_mut(&mut texture).apply(&placed.place.transform());

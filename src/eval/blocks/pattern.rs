@@ -156,7 +156,11 @@ impl Evaluator<'_> {
         let (mut low, mut high, mut altitude) = (0.0, 0.0, None);
         if braces {
             (low, high) = self.optional_pair()?;
+            let span = self.span();
             if self.accept(K::Altitude)? {
+                if matches!(direction, SlopeDirection::PointAt(_)) {
+                    return self.error(span, "slope takes no altitude with point_at");
+                }
                 let axis = self.vector()?;
                 let (low, high) = self.optional_pair()?;
                 altitude = Some((axis, low, high));

@@ -3,7 +3,7 @@
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
-use crate::scene::{Blend, ImageMap, MapType, Pattern, PatternKind, Pigment, PigmentKind};
+use crate::scene::{Blend, ImageMap, MapEntry, MapType, Pattern, PatternKind, Pigment, PigmentKind, default_colors};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -43,20 +43,42 @@ impl Draft {
         Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping }
     }
 
-    /// After a pattern keyword: a map of the pattern before stays only where it can serve.
-    fn adopt_pattern(&mut self) {
+    /// After a pattern keyword with the items of a block pattern, if there are some.
+    ///
+    /// A block pattern without items shows its own colours. Others go on with the entries that are there, whatever
+    /// pattern they were written for: items of a block pattern stand at 0, 1, 2 and so on, as in POV-Ray.
+    fn adopt_pattern(&mut self, list: Option<Content>) {
         let block = self.pattern.kind.n_blocks().is_some();
-        let serves = match &self.content {
-            Content::Solid(_) | Content::Image(_) => false,
-            Content::Colors(colors) => matches!(colors, Blend::Map(_)) != block,
-            Content::Pigments(pigments) => match pigments {
-                Blend::Map(_) | Blend::Default => !block,
-                Blend::List(_) => block,
-                Blend::Average(_) => matches!(self.pattern.kind, PatternKind::Average),
+        let average = matches!(self.pattern.kind, PatternKind::Average);
+        let own = || default_colors(&self.pattern.kind).into_iter().map(|e| e.item);
+        let old = list.unwrap_or_else(|| match std::mem::replace(&mut self.content, Content::Colors(Blend::Default)) {
+            _ if block => Content::Colors(Blend::List(Vec::new())),
+            old => old,
+        });
+        self.content = match old {
+            Content::Colors(Blend::List(mut colors)) if block => {
+                colors.extend(own().skip(colors.len()));
+                Content::Colors(Blend::List(colors))
+            }
+            listed if block => listed,
+            Content::Colors(colors) => Content::Colors(entries(colors).map_or(Blend::Default, Blend::Map)),
+            Content::Pigments(pigments) => match entries(pigments) {
+                Some(entries) if average => Content::Pigments(Blend::Average(entries)),
+                Some(entries) => Content::Pigments(Blend::Map(entries)),
+                None => Content::Colors(Blend::Default),
             },
+            Content::Solid(_) | Content::Image(_) => Content::Colors(Blend::Default),
         };
-        if !serves {
-            self.content = Content::Colors(Blend::Default);
+    }
+}
+
+/// The entries of a map, list or average, if they were written.
+fn entries<T>(blend: Blend<T>) -> Option<Vec<MapEntry<T>>> {
+    match blend {
+        Blend::Default => None,
+        Blend::Map(entries) | Blend::Average(entries) => Some(entries),
+        Blend::List(items) => {
+            Some(items.into_iter().enumerate().map(|(i, item)| MapEntry { value: i as f32, item }).collect())
         }
     }
 }
@@ -95,18 +117,13 @@ impl Evaluator<'_> {
                 return Ok(true);
             }
             Some(K::ColorMap | K::ColourMap) => {
-                let span = self.span();
+                self.check_pigment_map(draft, "color_map", false)?;
                 self.next()?;
-                let entries = self.color_map()?;
-                if draft.pattern.kind.n_blocks().is_some()
-                    || matches!(draft.content, Content::Solid(_) | Content::Image(_))
-                {
-                    return self.error(span, "a color_map needs a pattern that runs from 0 to 1 before it");
-                }
-                draft.content = Content::Colors(Blend::Map(entries));
+                draft.content = Content::Colors(Blend::Map(self.color_map()?));
                 return Ok(true);
             }
             Some(K::PigmentMap) => {
+                self.check_pigment_map(draft, "pigment_map", true)?;
                 self.next()?;
                 let average = matches!(draft.pattern.kind, PatternKind::Average);
                 draft.content = Content::Pigments(self.pigment_map(average)?);
@@ -130,10 +147,7 @@ impl Evaluator<'_> {
             Ok(())
         };
         if self.pattern_keyword(&mut draft.pattern, &mut read_list)? {
-            match list {
-                Some(list) => draft.content = list,
-                None => draft.adopt_pattern(),
-            }
+            draft.adopt_pattern(list);
             return Ok(true);
         }
         if self.starts_color()? {
@@ -141,6 +155,14 @@ impl Evaluator<'_> {
             return Ok(true);
         }
         self.pattern_modifier(&mut draft.pattern)
+    }
+
+    fn check_pigment_map(&mut self, draft: &Draft, what: &str, averages: bool) -> SourceResult<()> {
+        if matches!(draft.content, Content::Solid(_) | Content::Image(_)) {
+            let span = self.span();
+            return self.error(span, format!("a {what} needs a pattern that runs from 0 to 1 before it"));
+        }
+        self.check_map(&draft.pattern.kind, what, averages)
     }
 
     /// The items of a block pattern: all colours or all pigments.

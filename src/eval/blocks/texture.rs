@@ -1,24 +1,10 @@
-//! `texture { … }` and `material { … }`.
+//! `texture { … }`.
 
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
-use crate::scene::{Blend, Interior, Pattern, PatternKind, PatternedTexture, Texture, TextureLayer};
+use crate::scene::{Blend, Pattern, PatternKind, PatternedTexture, Texture, TextureLayer};
 use crate::syntax::{Keyword as K, TokenKind};
 use std::sync::Arc;
-
-/// `material`: textures and an interior under one name.
-#[derive(Clone, Debug, Default)]
-pub struct Material {
-    /// The texture, if given.
-    pub texture: Option<Arc<Texture>>,
-    /// The inner texture, if given.
-    pub interior_texture: Option<Arc<Texture>>,
-    /// The interior, if given.
-    pub interior: Option<Arc<Interior>>,
-}
-
-/// Most layers of a texture: far more than light gets through.
-const MAX_LAYERS: usize = 10_000;
 
 impl Evaluator<'_> {
     /// `{ … }` after `texture`.
@@ -40,11 +26,33 @@ impl Evaluator<'_> {
             }
             return Ok(known);
         }
-        if let Some(texture) = self.patterned_texture()? {
-            return Ok(Arc::new(texture));
+        let (mut uv_mapping, mut no_bump_scale) = (false, false);
+        loop {
+            match self.keyword()? {
+                Some(K::UvMapping) => uv_mapping = true,
+                Some(K::NoBumpScale) => no_bump_scale = true,
+                _ => break,
+            }
+            self.next()?;
         }
-        let mut texture = Texture::Layers(vec![self.defaults.layer.clone()]);
+        if let Some(mut patterned) = self.patterned_texture()? {
+            patterned.uv_mapping = uv_mapping;
+            patterned.no_bump_scale |= no_bump_scale;
+            return Ok(Arc::new(Texture::Patterned(Box::new(patterned))));
+        }
+        let mut layer = self.defaults.layer.clone();
+        layer.no_bump_scale |= no_bump_scale;
+        let mut texture = Texture::Layers(vec![layer]);
         self.texture_modifiers(&mut texture)?;
+        if let (true, Texture::Layers(layers)) = (uv_mapping, &mut texture) {
+            // Before a plain texture's parts: each of them is looked up at (u, v, 0).
+            for layer in layers {
+                Arc::make_mut(&mut layer.pigment).uv_mapping = true;
+                if let Some(normal) = &mut layer.normal {
+                    Arc::make_mut(normal).uv_mapping = true;
+                }
+            }
+        }
         Ok(Arc::new(texture))
     }
 
@@ -76,6 +84,7 @@ impl Evaluator<'_> {
                 self.next()?;
                 let start = (*layer.pigment).clone();
                 layer.pigment = Arc::new(self.pigment_block(start)?);
+                layer.unfiltered = false;
             }
             Some(K::Normal) => {
                 self.next()?;
@@ -88,10 +97,7 @@ impl Evaluator<'_> {
             }
             Some(K::NoBumpScale) => {
                 self.next()?;
-                let on = self.optional_bool()?;
-                if let Some(normal) = &mut layer.normal {
-                    Arc::make_mut(normal).no_bump_scale = on;
-                }
+                layer.no_bump_scale = true;
             }
             Some(_) => return Ok(false),
             None => return self.layer_identifier(layer),
@@ -101,7 +107,10 @@ impl Evaluator<'_> {
 
     fn layer_identifier(&mut self, layer: &mut TextureLayer) -> SourceResult<bool> {
         match self.declared()? {
-            Some(Value::Pigment(pigment)) => layer.pigment = pigment,
+            Some(Value::Pigment(pigment)) => {
+                layer.pigment = pigment;
+                layer.unfiltered = false;
+            }
             Some(Value::Normal(normal)) => layer.normal = Some(normal),
             Some(Value::Finish(finish)) => layer.finish = finish,
             _ => return Ok(false),
@@ -110,44 +119,26 @@ impl Evaluator<'_> {
         Ok(true)
     }
 
-    /// A texture that starts with a pattern, if one does here.
-    fn patterned_texture(&mut self) -> SourceResult<Option<Texture>> {
+    /// The inside of a texture that starts with a pattern, if one does here.
+    fn patterned_texture(&mut self) -> SourceResult<Option<PatternedTexture>> {
         let mut patterned = PatternedTexture {
             pattern: Pattern::new(PatternKind::None),
             map: Blend::Default,
             no_bump_scale: false,
-            uv_mapping: self.accept(K::UvMapping)?,
+            uv_mapping: false,
         };
         let span = self.span();
-        let read = match self.keyword()? {
+        match self.keyword()? {
             Some(K::MaterialMap) => {
                 self.next()?;
                 self.material_map(&mut patterned)?;
-                true
             }
             Some(K::Tiles) => {
                 self.next()?;
                 self.tiles(&mut patterned)?;
-                true
             }
-            _ => self.patterned_item(&mut patterned)?,
-        };
-        if !read {
-            if !patterned.uv_mapping {
-                return Ok(None);
-            }
-            // `uv_mapping` before a plain texture's parts: each part is looked up at (u, v, 0).
-            let mut texture = Texture::Layers(vec![self.defaults.layer.clone()]);
-            self.texture_modifiers(&mut texture)?;
-            if let Texture::Layers(layers) = &mut texture {
-                for layer in layers {
-                    Arc::make_mut(&mut layer.pigment).uv_mapping = true;
-                    if let Some(normal) = &mut layer.normal {
-                        Arc::make_mut(normal).uv_mapping = true;
-                    }
-                }
-            }
-            return Ok(Some(texture));
+            _ if self.texture_pattern(&mut patterned)? => {}
+            _ => return Ok(None),
         }
         while self.patterned_item(&mut patterned)? {
             self.comma()?;
@@ -155,12 +146,13 @@ impl Evaluator<'_> {
         if matches!(patterned.map, Blend::Default) {
             return self.error(span, "a texture with a pattern needs a texture_map or a list of textures");
         }
-        Ok(Some(Texture::Patterned(Box::new(patterned))))
+        Ok(Some(patterned))
     }
 
     fn patterned_item(&mut self, patterned: &mut PatternedTexture) -> SourceResult<bool> {
         match self.keyword()? {
             Some(K::TextureMap) => {
+                self.check_map(&patterned.pattern.kind, "texture_map", true)?;
                 self.next()?;
                 let average = matches!(patterned.pattern.kind, PatternKind::Average);
                 patterned.map = self.texture_map(average)?;
@@ -168,11 +160,16 @@ impl Evaluator<'_> {
             }
             Some(K::NoBumpScale) => {
                 self.next()?;
-                patterned.no_bump_scale = self.optional_bool()?;
+                patterned.no_bump_scale = true;
                 return Ok(true);
             }
             _ => {}
         }
+        Ok(self.texture_pattern(patterned)? || self.pattern_modifier(&mut patterned.pattern)?)
+    }
+
+    /// A pattern keyword, with its textures if it is a block pattern.
+    fn texture_pattern(&mut self, patterned: &mut PatternedTexture) -> SourceResult<bool> {
         let mut list = Vec::new();
         let mut read_list = |e: &mut Evaluator, n: usize| {
             e.comma()?;
@@ -183,13 +180,11 @@ impl Evaluator<'_> {
             list.resize_with(n, || e.defaults.texture());
             Ok(())
         };
-        if self.pattern_keyword(&mut patterned.pattern, &mut read_list)? {
-            if !list.is_empty() {
-                patterned.map = Blend::List(list);
-            }
-            return Ok(true);
+        let read = self.pattern_keyword(&mut patterned.pattern, &mut read_list)?;
+        if !list.is_empty() {
+            patterned.map = Blend::List(list);
         }
-        self.pattern_modifier(&mut patterned.pattern)
+        Ok(read)
     }
 
     /// `material_map { IMAGE options texture … }`, after the word.
@@ -234,94 +229,5 @@ impl Evaluator<'_> {
         patterned.pattern = Pattern { frequency: 0.0, ..Pattern::new(PatternKind::Checker) };
         patterned.map = Blend::List(textures);
         Ok(())
-    }
-
-    /// `texture { … } texture { … } …` of a declaration: all layers.
-    ///
-    /// A directive behind a layer waits until the declaration is complete.
-    pub(super) fn layered_textures(&mut self) -> SourceResult<Arc<Texture>> {
-        self.next()?;
-        let mut texture = self.texture_block()?;
-        while self.fill(true)? == TokenKind::Keyword(K::Texture) {
-            let span = self.next()?.span;
-            let above = self.texture_block()?;
-            texture = self.stack(texture, above, span)?;
-        }
-        Ok(texture)
-    }
-
-    /// Lays `top` over `below`; only plain textures can be layered.
-    pub(super) fn stack(
-        &mut self,
-        below: Arc<Texture>,
-        top: Arc<Texture>,
-        span: crate::diag::Span,
-    ) -> SourceResult<Arc<Texture>> {
-        match (Arc::unwrap_or_clone(below), Arc::unwrap_or_clone(top)) {
-            (Texture::Layers(layers), Texture::Layers(more)) if layers.len() + more.len() > MAX_LAYERS => {
-                self.error(span, format!("a texture of more than {MAX_LAYERS} layers"))
-            }
-            (Texture::Layers(mut layers), Texture::Layers(more)) => {
-                layers.extend(more);
-                Ok(Arc::new(Texture::Layers(layers)))
-            }
-            (Texture::Patterned(_), _) => self.error(span, "cannot layer a texture over a patterned one"),
-            (_, Texture::Patterned(_)) => self.error(span, "cannot layer a patterned texture over another"),
-        }
-    }
-
-    /// `{ … }` after `material`.
-    pub(super) fn material_block(&mut self) -> SourceResult<Material> {
-        self.open("material")?;
-        let pick = |v: &Value| if let Value::Material(m) = v { Some((**m).clone()) } else { None };
-        let mut material = self.take_declared(pick)?.unwrap_or_default();
-        loop {
-            let span = self.span();
-            if let Some(transform) = self.transformation()? {
-                for texture in [&mut material.texture, &mut material.interior_texture].into_iter().flatten() {
-                    Arc::make_mut(texture).apply(&transform);
-                }
-                if let Some(interior) = &mut material.interior {
-                    Arc::make_mut(interior).apply(&transform);
-                }
-                continue;
-            }
-            match self.keyword()? {
-                Some(k @ (K::Texture | K::InteriorTexture)) => {
-                    self.next()?;
-                    let texture = self.texture_block()?;
-                    let inner = k == K::InteriorTexture;
-                    let slot = if inner { &mut material.interior_texture } else { &mut material.texture };
-                    let below = slot.take();
-                    let stacked = match below {
-                        Some(below) => self.stack(below, texture, span)?,
-                        None => texture,
-                    };
-                    *(if inner { &mut material.interior_texture } else { &mut material.texture }) = Some(stacked);
-                }
-                Some(K::Pigment | K::Normal | K::Finish) => {
-                    let layer = self.defaults.layer.clone();
-                    let texture = material.texture.get_or_insert_with(|| Arc::new(Texture::Layers(vec![layer])));
-                    match Arc::make_mut(texture) {
-                        Texture::Layers(layers) => {
-                            if let Some(top) = layers.last_mut() {
-                                self.layer_item(top)?;
-                            }
-                        }
-                        Texture::Patterned(_) => {
-                            return self.error(span, "a patterned texture takes no pigment, normal or finish");
-                        }
-                    }
-                }
-                Some(K::Interior) => {
-                    self.next()?;
-                    let start = material.interior.take();
-                    material.interior = Some(Arc::new(self.interior_block(start)?));
-                }
-                _ => break,
-            }
-        }
-        self.close("material")?;
-        Ok(material)
     }
 }

@@ -39,6 +39,8 @@ pub(crate) struct BlobPart {
 pub(crate) struct Blob {
     pub(crate) parts: Arc<[BlobPart]>,
     pub(crate) threshold: f64,
+    /// Whether any part has a texture of its own.
+    pub(crate) has_textures: bool,
     /// Around the parts that can hold a surface.
     bounds: Bounds,
 }
@@ -137,19 +139,21 @@ impl Blob {
         let all = threshold <= 0.0 && parts.iter().any(|p| p.strength < 0.0);
         let holding = parts.iter().filter(|p| all || p.strength > 0.0);
         let bounds = holding.fold(Bounds::EMPTY, |sum, p| sum.union(&p.bounds()));
-        Self { parts, threshold, bounds }
+        let has_textures = parts.iter().any(|p| p.texture.is_some());
+        Self { parts, threshold, has_textures, bounds }
     }
 
     fn field(&self, p: DVec3) -> f64 {
         self.parts.iter().map(|part| part.sample(p).0).sum()
     }
 
-    /// The parts felt at a point, by number, with their shares in the texture. Empty if no part has a texture.
+    /// The parts felt at a point, by number, with their shares in the texture. Empty if no part has a texture. The
+    /// last part comes first, as in POV-Ray: bumps of one texture are seen by the slope patterns of those after it.
     pub(crate) fn textures(&self, p: DVec3) -> SmallVec<[(u32, f32); 4]> {
-        if self.parts.iter().all(|part| part.texture.is_none()) {
+        if !self.has_textures {
             return SmallVec::new();
         }
-        let weights = self.parts.iter().zip(0..).map(|(part, i)| (i, part.sample(p).0.abs()));
+        let weights = self.parts.iter().enumerate().rev().map(|(i, part)| (i as u32, part.sample(p).0.abs()));
         let felt: SmallVec<[_; 4]> = weights.filter(|(_, w)| *w > 0.0).collect();
         let sum: f64 = felt.iter().map(|(_, w)| w).sum();
         felt.into_iter().map(|(i, w)| (i, (w / sum) as f32)).collect()

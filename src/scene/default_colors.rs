@@ -2,9 +2,8 @@
 //!
 //! Source: section 11 of the pattern facts (measured).
 
-use crate::compiled::texture::Blend;
+use super::{MapEntry, PatternKind as K};
 use crate::math::{Color, Rgb};
-use crate::scene::PatternKind as K;
 
 const BLACK: [f32; 3] = [0.0, 0.0, 0.0];
 const WHITE: [f32; 3] = [1.0, 1.0, 1.0];
@@ -15,8 +14,8 @@ const YELLOW: [f32; 3] = [1.0, 1.0, 0.0];
 const CYAN: [f32; 3] = [0.0, 1.0, 1.0];
 const MAGENTA: [f32; 3] = [1.0, 0.0, 1.0];
 
-/// The map or list of a pattern.
-pub(super) fn default_map(kind: &K) -> Blend<Color> {
+/// The entries of a pattern's own map; those of a block pattern stand at 0, 1, 2 and so on.
+pub fn default_colors(kind: &K) -> Vec<MapEntry<Color>> {
     match kind {
         K::Checker | K::Object(_) => list(&[BLUE, GREEN]),
         K::Hexagon => list(&[BLUE, GREEN, RED]),
@@ -42,20 +41,14 @@ pub(super) fn default_map(kind: &K) -> Blend<Color> {
     }
 }
 
-/// A block pattern's own colours with the first ones replaced.
-pub(super) fn completed(colors: &[Color], kind: &K) -> Blend<Color> {
-    let own: Vec<Color> = default_map(kind).iter().copied().collect();
-    Blend::list(colors.iter().copied().chain(own.into_iter().skip(colors.len())))
+fn list(colors: &[[f32; 3]]) -> Vec<MapEntry<Color>> {
+    colors.iter().enumerate().map(|(i, color)| MapEntry { value: i as f32, item: opaque(*color) }).collect()
+}
+
+fn map(entries: &[(f32, [f32; 3])]) -> Vec<MapEntry<Color>> {
+    entries.iter().map(|(value, color)| MapEntry { value: *value, item: opaque(*color) }).collect()
 }
 
 fn opaque(rgb: [f32; 3]) -> Color {
     Color { rgb: Rgb::from(rgb), ..Color::BLACK }
-}
-
-fn list(colors: &[[f32; 3]]) -> Blend<Color> {
-    Blend::list(colors.iter().map(|c| opaque(*c)))
-}
-
-fn map(entries: &[(f32, [f32; 3])]) -> Blend<Color> {
-    Blend::map(entries.iter().map(|(v, c)| (f64::from(*v), opaque(*c))))
 }
