@@ -174,6 +174,8 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         }
     }
     let options = arguments.options();
+    // What is not said in time stays as it is: one for each core.
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build_global();
     let window = options.window();
     if options.region.is_some_and(|region| region != window) {
         return fail(format_args!("--region reaches beyond the picture of {} x {}", options.width, options.height));

@@ -54,7 +54,10 @@ pub(super) fn encode_exr(
     let mut bytes = Cursor::new(Vec::new());
     let mut image = Image::from_layer(layer);
     image.attributes.display_window = IntegerBounds::new(Vec2(0, 0), Vec2(picture.full[0], picture.full[1]));
-    image.write().to_buffered(&mut bytes).map_err(|e| invalid(path, &e))?;
+    let writer = image.write();
+    // Threads of its own, as many as there are cores, are only right where there may be more than one.
+    let writer = if rayon::current_num_threads() > 1 { writer } else { writer.non_parallel() };
+    writer.to_buffered(&mut bytes).map_err(|e| invalid(path, &e))?;
     Ok(bytes.into_inner())
 }
 
