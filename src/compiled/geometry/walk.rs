@@ -82,7 +82,8 @@ impl<'a> Walk<'a> {
         flow
     }
 
-    #[inline]
+    // Always inline: spheres are tried for less than a call costs.
+    #[inline(always)]
     pub(super) fn item(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
         if item.skips.skips(self.kind) {
             return ControlFlow::Continue(());
@@ -98,6 +99,7 @@ impl<'a> Walk<'a> {
         }
     }
 
+    #[inline(never)]
     fn solid(&mut self, root: u32, ray: &Ray) -> ControlFlow<()> {
         match self.geometry.solid_nearest(root, ray, self.range, self.kind, self.scratch) {
             Some(c) => self.record(c.t, c.primitive, c.part, Owner::Solid(root)),
@@ -105,6 +107,7 @@ impl<'a> Walk<'a> {
         }
     }
 
+    #[inline(never)]
     fn instance(&mut self, index: u32, ray: &Ray) -> ControlFlow<()> {
         let instance = &self.geometry.instances[index as usize];
         self.path.push(index);
@@ -114,6 +117,7 @@ impl<'a> Walk<'a> {
         flow
     }
 
+    #[inline(never)]
     fn primitive(&mut self, index: u32, ray: &Ray) -> ControlFlow<()> {
         let primitive = &self.geometry.primitives[index as usize];
         let moved;
