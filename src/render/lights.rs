@@ -64,7 +64,7 @@ impl Tracer<'_> {
                 place.lights.entries.push(Cached { arrival, shadowed: None });
             }
             let Cached { arrival, shadowed: known } = place.lights.entries[order];
-            let sampled = light.area.filter(|a| a.illumination && self.options.area_lights());
+            let sampled = light.area.as_ref().filter(|a| a.illumination && self.options.area_lights());
             let lit = lit_side(skin, light, arrival.direction, place);
             if sampled.is_none() && (is_dark(arrival.color) || lit.is_none()) {
                 continue;
@@ -81,7 +81,7 @@ impl Tracer<'_> {
                 continue;
             }
             let answer = match (sampled, lit) {
-                (Some(area), _) => self.area_answer(skin, place, light, &area, rgb),
+                (Some(area), _) => self.area_answer(skin, place, light, area, rgb),
                 (None, Some(beam)) => self.answer(skin, place, &Beam { rgb, ..beam }),
                 (None, None) => Rgb::ZERO,
             };

@@ -73,7 +73,8 @@ impl<'a> Walk<'a> {
     }
 
     /// An item of a group; one that ends the search is noted, over any of a group within it.
-    #[inline]
+    // Always inline, as what it calls: spheres are tried for less than a call costs.
+    #[inline(always)]
     fn tried(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
         let flow = self.item(item, ray);
         if flow.is_break() {
@@ -82,7 +83,6 @@ impl<'a> Walk<'a> {
         flow
     }
 
-    // Always inline: spheres are tried for less than a call costs.
     #[inline(always)]
     pub(super) fn item(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
         if item.skips.skips(self.kind) {
