@@ -6,7 +6,7 @@
 //! piece is parsed when the evaluator gets there. Long runs of literal vectors become
 //! pieces of their own, which need no parsing at all.
 
-use super::vectors::run_end;
+use super::vectors::{run_end, skip_blanks};
 
 /// Bytes of source text in one piece, about. Small enough that its tokens stay in the second cache, large enough that
 /// its fixed costs do not count.
@@ -55,7 +55,15 @@ pub(super) fn next_piece(text: &[u8], start: usize) -> Option<Piece> {
     let mut at = start;
     // A hash mark must stay with the word behind it.
     let mut after_hash = false;
+    let too_short = (start + PIECE).min(text.len());
     while at < text.len() {
+        if at < too_short && !after_hash {
+            // Nothing is cut here yet, so only what may hide a place to cut matters.
+            at += text[at..too_short].iter().take_while(|b| !matches!(b, b'"' | b'/' | b'<' | b'#')).count();
+            if at == too_short {
+                continue;
+            }
+        }
         match text[at] {
             b'"' => at = string_end(text, at),
             b'/' if text.get(at + 1) == Some(&b'/') => at = line_end(text, at),
@@ -66,7 +74,7 @@ pub(super) fn next_piece(text: &[u8], start: usize) -> Option<Piece> {
             },
             b'<' => {
                 after_hash = false;
-                let end = run_end(text, at).unwrap_or(at + 1);
+                let end = short_vector_end(text, at).or_else(|| run_end(text, at)).unwrap_or(at + 1);
                 if end - at >= LONG_RUN {
                     return if at > start { piece(at, PieceKind::Text) } else { piece(end, PieceKind::Vectors) };
                 }
@@ -79,10 +87,6 @@ pub(super) fn next_piece(text: &[u8], start: usize) -> Option<Piece> {
                     return piece(at, PieceKind::Text);
                 }
             }
-            byte if byte.is_ascii_alphanumeric() => {
-                after_hash = false;
-                at += text[at..].iter().take_while(|b| b.is_ascii_alphanumeric()).count();
-            }
             byte => {
                 after_hash = byte == b'#';
                 at += 1;
@@ -94,6 +98,15 @@ pub(super) fn next_piece(text: &[u8], start: usize) -> Option<Piece> {
         }
     }
     piece(text.len(), PieceKind::Text)
+}
+
+/// One past a `>` before which only numbers can stand, if no other vector follows and both are near.
+fn short_vector_end(text: &[u8], start: usize) -> Option<usize> {
+    let inside = |b: &&u8| matches!(b, b'0'..=b'9' | b'.' | b',' | b'-' | b'+' | b'e' | b'E' | b' ');
+    let end = start + 1 + text[start + 1..].iter().take(LONG_RUN - 2).take_while(inside).count();
+    let comma = skip_blanks(text, end + 1);
+    let goes_on = text.get(comma) == Some(&b',') && text.get(skip_blanks(text, comma + 1)) == Some(&b'<');
+    (text.get(end) == Some(&b'>') && !goes_on).then_some(end + 1)
 }
 
 /// One past the closing quote, or the end of the text.
