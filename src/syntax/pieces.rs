@@ -185,6 +185,23 @@ mod tests {
     }
 
     #[test]
+    fn pieces_end_between_tokens() {
+        let whole = ["# \n declare", "\"x # \\\" /* < \n\"", "/* \" # \n */", "// \" <\n", "<1, 2>,\n <3, 4>", "a < b"];
+        let turn = whole.join(" ");
+        let text = turn.repeat(40 * PIECE / turn.len());
+        let (mut at, mut ends) = (0, Vec::new());
+        while let Some(piece) = next_piece(text.as_bytes(), at) {
+            at = piece.end;
+            ends.push(at % turn.len());
+        }
+        assert!(ends.len() > 20);
+        for part in whole {
+            let start = turn.find(part).unwrap_or(0);
+            assert!(ends.iter().all(|end| !(start + 1..start + part.len()).contains(end)), "{part}: {ends:?}");
+        }
+    }
+
+    #[test]
     fn text_without_line_ends_is_cut_too() {
         let text = "x,".repeat(200_000);
         let first = next_piece(text.as_bytes(), 0).map(|p| p.end);
