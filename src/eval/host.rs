@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Everything from outside; the evaluator itself touches no disk and prints nothing.
-pub trait Host: Sync {
+pub trait Host {
     /// The bytes of a file.
     ///
     /// # Errors

@@ -100,7 +100,7 @@ pub struct Evaluator<'h> {
     #[allow(dead_code, reason = "read by the block parsers")]
     pub(super) defaults: blocks::Defaults,
     pub(super) host: &'h dyn Host,
-    pub(super) queries: &'h (dyn GeometryQueries + Sync),
+    pub(super) queries: &'h dyn GeometryQueries,
     pub(super) options: &'h Options,
     /// Language version in hundredths, as `#version` last set it; 370 at the start.
     pub(super) version: u32,
@@ -157,7 +157,7 @@ pub fn evaluate(
     path: &Path,
     options: &Options,
     host: &dyn Host,
-    queries: &(dyn GeometryQueries + Sync),
+    queries: &dyn GeometryQueries,
 ) -> Result<Evaluated, Box<Failed>> {
     /// Address space, of which only what is used costs anything.
     const STACK: usize = 256 << 20;
@@ -165,7 +165,7 @@ pub fn evaluate(
 }
 
 impl<'h> Evaluator<'h> {
-    fn new(options: &'h Options, host: &'h dyn Host, queries: &'h (dyn GeometryQueries + Sync)) -> Self {
+    fn new(options: &'h Options, host: &'h dyn Host, queries: &'h dyn GeometryQueries) -> Self {
         Self {
             scene: Scene::default(),
             defaults: blocks::Defaults::default(),
