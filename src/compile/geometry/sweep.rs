@@ -29,15 +29,8 @@ pub(super) fn prism(prism: &scene::Prism) -> Option<Compiled> {
         _ => p.chunks_exact(4).map(|w| Segment::bezier([w[3], w[2], w[1], w[0]])).collect(),
     };
     let [a, b] = prism.heights;
-    Some(Compiled::Prism(Prism {
-        outlines: [Outline::new(segments)].into(),
-        low: a.min(b),
-        high: a.max(b),
-        conic: prism.conic,
-        open: prism.open,
-        caps_only: false,
-        outward_caps: false,
-    }))
+    let swept = Prism::new(vec![Outline::new(segments)], [a.min(b), a.max(b)], prism.conic);
+    Some(Compiled::Prism(Prism { open: prism.open, ..swept }))
 }
 
 /// Lines; an outline ends where a point repeats its first, the last one is closed in any case.

@@ -144,15 +144,8 @@ pub(super) fn text(text: &Text) -> Result<(Compiled, Transform), String> {
             outlines.push(Outline::new(builder.segments));
         }
     }
-    let prism = Prism {
-        outlines: outlines.into(),
-        low: text.thickness.min(0.0),
-        high: text.thickness.max(0.0),
-        conic: false,
-        open: false,
-        caps_only: text.thickness < 0.0,
-        outward_caps: true,
-    };
+    let heights = [text.thickness.min(0.0), text.thickness.max(0.0)];
+    let prism = Prism { caps_only: text.thickness < 0.0, outward_caps: true, ..Prism::new(outlines, heights, false) };
     // Prisms stand along y, text along z.
     let upright = Transform::from_columns(DVec3::X, DVec3::Z, DVec3::Y, DVec3::ZERO).unwrap_or_default();
     Ok((Compiled::Prism(prism), upright.then(&turn())))

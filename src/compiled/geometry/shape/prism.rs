@@ -9,15 +9,21 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(crate) struct Outline {
     pub(crate) segments: Box<[Segment]>,
+    /// Middle and half the size of a box around each segment.
+    hulls: Box<[[DVec2; 2]]>,
     min: DVec2,
     max: DVec2,
+    /// Around the outline swept by its prism.
+    swept: Bounds,
 }
 
 impl Outline {
     pub(crate) fn new(segments: Vec<Segment>) -> Self {
-        let hull = |(min, max): (DVec2, DVec2), s: &Segment| (min.min(s.bounds().0), max.max(s.bounds().1));
-        let (min, max) = segments.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), hull);
-        Self { segments: segments.into(), min, max }
+        let boxes: Vec<_> = segments.iter().map(Segment::bounds).collect();
+        let hull = |(min, max): (DVec2, DVec2), b: &(DVec2, DVec2)| (min.min(b.0), max.max(b.1));
+        let (min, max) = boxes.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), hull);
+        let hulls = boxes.iter().map(|(low, high)| [(*low + *high) * 0.5, (*high - *low) * 0.5]).collect();
+        Self { segments: segments.into(), hulls, min, max, swept: Bounds::EMPTY }
     }
 
     fn contains(&self, p: DVec2) -> bool {
@@ -46,6 +52,22 @@ pub(crate) struct Prism {
 /// POV-Ray's height below which a conic sweep has come to its point: no cap, and no inside.
 const AT_APEX: f64 = 1e-10;
 
+/// The line `normal . p + constant = 0`.
+struct Shadow {
+    normal: DVec2,
+    constant: f64,
+}
+
+impl Shadow {
+    /// Whether the line may meet a box, given by its middle and half its size.
+    fn may_meet(&self, [middle, half]: &[DVec2; 2]) -> bool {
+        let reach = self.normal.abs().dot(*half);
+        // What is added up rounds less often than that, here and where the box was found.
+        let slack = gamma(64) * (self.normal.abs().dot(middle.abs()) + self.constant.abs() + reach);
+        (self.normal.dot(*middle) + self.constant).abs() <= reach + slack
+    }
+}
+
 const LOW_CAP: u32 = u32::MAX - 1;
 const HIGH_CAP: u32 = u32::MAX;
 
@@ -56,35 +78,46 @@ impl Prism {
         if self.conic { p / y } else { p }
     }
 
-    /// The outline's extent against the ray's shadow: whether to look at it at all.
-    fn may_meet(&self, outline: &Outline, ray: &Ray, range: Range) -> bool {
-        self.conic || super::super::solid::may_meet(&self.outline_bounds(outline), ray, range)
+    /// Closed, with everything inside, caps as prisms have them.
+    pub(crate) fn new(mut outlines: Vec<Outline>, heights: [f64; 2], conic: bool) -> Self {
+        let [low, high] = heights;
+        for outline in &mut outlines {
+            let corner = |y: f64| {
+                let scale = if conic { y } else { 1.0 };
+                let (a, b) = (outline.min * scale, outline.max * scale);
+                Bounds::from_corners(DVec3::new(a.x, y, a.y), DVec3::new(b.x, y, b.y))
+            };
+            outline.swept = super::super::graph::padded(corner(low).union(&corner(high)));
+        }
+        let outlines = outlines.into();
+        Self { outlines, low, high, conic, open: false, caps_only: false, outward_caps: false }
     }
 
-    fn outline_bounds(&self, outline: &Outline) -> Bounds {
-        let corner = |y: f64| {
-            let scale = if self.conic { y } else { 1.0 };
-            let (a, b) = (outline.min * scale, outline.max * scale);
-            Bounds::from_corners(DVec3::new(a.x, y, a.y), DVec3::new(b.x, y, b.y))
-        };
-        super::super::graph::padded(corner(self.low).union(&corner(self.high)))
+    /// The outline's extent against the ray's shadow: whether to look at it at all.
+    fn may_meet(&self, outline: &Outline, ray: &Ray, range: Range) -> bool {
+        self.conic || super::super::solid::may_meet(&outline.swept, ray, range)
+    }
+
+    /// The ray's shadow on the plane of the outline.
+    fn shadow(&self, ray: &Ray) -> Shadow {
+        let (o, d) = (ray.origin, ray.direction);
+        // The plane that holds the ray and, for cones, the origin; else, the axis' direction.
+        if self.conic {
+            let n = o.cross(d);
+            Shadow { normal: DVec2::new(n.x, n.z), constant: n.y }
+        } else {
+            let normal = DVec2::new(-d.z, d.x);
+            Shadow { normal, constant: -normal.dot(DVec2::new(o.x, o.z)) }
+        }
     }
 
     /// Crossings with one piece of outline swept without end: (t, w).
-    fn sides(&self, segment: &Segment, ray: &Ray, mut found: impl FnMut(f64, f64)) {
+    fn sides(&self, segment: &Segment, ray: &Ray, shadow: &Shadow, mut found: impl FnMut(f64, f64)) {
         let (o, d) = (ray.origin, ray.direction);
-        // The plane that holds the ray and, for cones, the origin; else, the axis' direction.
-        let (normal, constant) = if self.conic {
-            let n = o.cross(d);
-            (DVec2::new(n.x, n.z), n.y)
-        } else {
-            let n = DVec2::new(-d.z, d.x);
-            (n, -n.dot(DVec2::new(o.x, o.z)))
-        };
-        if normal == DVec2::ZERO {
+        if shadow.normal == DVec2::ZERO {
             return;
         }
-        for w in segment.zeros(normal.x, normal.y, constant) {
+        for w in segment.zeros(shadow.normal.x, shadow.normal.y, shadow.constant) {
             let p = segment.at(w);
             let lean = if self.conic { p } else { DVec2::ZERO };
             let start = if self.conic { p * o.y } else { p };
@@ -110,17 +143,21 @@ impl Prism {
 
 impl Primitive for Prism {
     fn bounds(&self) -> Bounds {
-        self.outlines.iter().fold(Bounds::EMPTY, |sum, o| sum.union(&self.outline_bounds(o)))
+        self.outlines.iter().fold(Bounds::EMPTY, |sum, o| sum.union(&o.swept))
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        let shadow = self.shadow(ray);
         for (outline, first) in self.pieces() {
             if !self.may_meet(outline, ray, range) {
                 continue;
             }
             let sides = if self.caps_only { &[][..] } else { &outline.segments[..] };
-            for (segment, part) in sides.iter().zip(first..) {
-                self.sides(segment, ray, |t, _| {
+            for ((segment, part), hull) in sides.iter().zip(first..).zip(&outline.hulls) {
+                if !shadow.may_meet(hull) {
+                    continue;
+                }
+                self.sides(segment, ray, &shadow, |t, _| {
                     let y = ray.origin.y + t * ray.direction.y;
                     if range.contains(t) && self.low <= y && y <= self.high {
                         out.push(ShapeHit { t, part });
@@ -161,7 +198,7 @@ impl Primitive for Prism {
         let Some((outline, first)) = owner else { return LocalSurface::plain(point, error, DVec3::Y) };
         let segment = &outline.segments[(part - first) as usize];
         let mut nearest = (f64::INFINITY, 0.0);
-        self.sides(segment, ray, |s, w| {
+        self.sides(segment, ray, &self.shadow(ray), |s, w| {
             if (s - t).abs() < nearest.0 {
                 nearest = ((s - t).abs(), w);
             }
