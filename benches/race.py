@@ -55,8 +55,8 @@ def main() -> None:
     parser.add_argument("scenes", nargs="+", type=Path)
     parser.add_argument("--binary", default=str(ROOT / "target/release/whitted"), help="ours (default: %(default)s)")
     parser.add_argument("--rounds", type=int, default=3, help="runs of each (default: %(default)s)")
-    parser.add_argument("--width", type=int, default=480)
-    parser.add_argument("--height", type=int, default=360)
+    parser.add_argument("--width", type=int, default=640)
+    parser.add_argument("--height", type=int, default=480)
     parser.add_argument("--parse", action="store_true", help="render one pixel: the rest is parsing")
     asked = parser.parse_args()
     for scene in asked.scenes:
