@@ -174,7 +174,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         }
     }
     let options = arguments.options();
-    // What is not said in time stays as it is: one for each core.
+    // For hierarchies and files; where a pool is there already, it stays.
     let _ = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build_global();
     let window = options.window();
     if options.region.is_some_and(|region| region != window) {

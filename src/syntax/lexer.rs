@@ -67,7 +67,6 @@ fn plain(text: &[u8], start: usize) -> Option<Step> {
     let next = text.get(start + 1).copied().unwrap_or(0);
     let step = |rule, end| Some(Step { rule, start, end });
     match text[start] {
-        b' ' | b'\n' | b'\t' | b'\r' => step(Rule::gap, skip_blanks(text, start)),
         b'/' if next == b'/' => step(Rule::gap, end_of(text, start, |b| !matches!(b, b'\n' | b'\r'))),
         b'/' if next == b'*' => block_comment(text, start),
         b'"' => string(text, start),

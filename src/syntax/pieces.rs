@@ -48,9 +48,9 @@ pub(super) fn next_piece(text: &[u8], start: usize) -> Option<Piece> {
         return None;
     }
     let piece = |end, kind| Some(Piece { start, end, kind });
-    let blanks = text[start..].iter().take_while(|b| matches!(b, b' ' | b'\n' | b'\t' | b'\r')).count();
-    if blanks >= PIECE {
-        return piece(start + blanks, PieceKind::Blank);
+    let behind_blanks = skip_blanks(text, start);
+    if behind_blanks - start >= PIECE {
+        return piece(behind_blanks, PieceKind::Blank);
     }
     let mut at = start;
     // A hash mark must stay with the word behind it.

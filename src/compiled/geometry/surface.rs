@@ -91,13 +91,8 @@ impl Geometry {
         let primitive = &self.primitives[hit.primitive as usize];
         let world_from_group = self.world_from(&hit.path, hit.path.steps().len());
         let places = [primitive.group_from_local.as_deref(), world_from_group.as_ref()];
-        let local = match places {
-            [None, None] => primitive.shape.surface(ray, hit.t, hit.part),
-            [local, world] => {
-                let inward = |ray: Ray, place: Option<&Transform>| place.map_or(ray, |place| place.inverse_ray(&ray));
-                primitive.shape.surface(&inward(inward(*ray, world), local), hit.t, hit.part)
-            }
-        };
+        let local_ray = places.into_iter().rev().flatten().fold(*ray, |ray, place| place.inverse_ray(&ray));
+        let local = primitive.shape.surface(&local_ray, hit.t, hit.part);
 
         let sign = if primitive.inverse { -1.0 } else { 1.0 };
         let (mut point, mut error) = (local.point, local.error);

@@ -86,7 +86,7 @@ impl<T> Blend<T> {
         }
         // The last entry lies above the value, so there is a first such entry unless the value is NaN.
         let j = if sorted && values.len() > FEW {
-            values.partition_point(|e| *e < value).min(last)
+            values.partition_point(|e| *e < value)
         } else {
             values.iter().position(|e| *e >= value).unwrap_or(0)
         };

@@ -156,12 +156,6 @@ impl Pattern {
         shape(raw, self.frequency, self.phase, self.wave)
     }
 
-    /// The value and the warped point, at which the items of a map are looked up.
-    pub fn lookup(&self, point: DVec3, context: &Context) -> (f64, DVec3) {
-        let warped = self.warp(point);
-        (self.value_at_warped(warped, context), warped)
-    }
-
     /// What stands at a point that [`warp`](Self::warp) gave.
     #[inline]
     pub fn pick_at_warped<'a, T>(&self, items: &'a Blend<T>, warped: DVec3, context: &Context) -> Pick<'a, T> {
