@@ -1,18 +1,13 @@
 //! POV-Ray's three noise generators, its vector noise, and turbulence, to the last bit.
 //!
-//! Generators 1 and 2 are one lattice noise with constants of six digits (`NOISE_TABLE`),
+//! Generators 1 and 2 are one lattice noise with constants of six digits (`NOISE_TABLE`, `lattice`),
 //! scaled differently; generator 3 is Perlin's gradient noise. Vector noise is the lattice
 //! noise read at three offsets of the table, whatever the generator.
 //!
-//! The eight corners of a lattice cell are worked on in pairs, in SIMD lanes; sums keep POV-Ray's order. Several
-//! frequencies of one point go together (`noise_series`).
-//!
 //! Source: sections 5.2 to 5.5 of the function facts, measured on POV-Ray 3.7.0.10.
 
-use super::noise_series::{ROOM, Series};
-use super::noise_table::NOISE_TABLE;
+use super::lattice::{self, Series};
 use super::{DVec3, floor};
-use arrayvec::ArrayVec;
 use std::sync::LazyLock;
 use wide::f64x2;
 
@@ -44,9 +39,13 @@ impl Congruential {
 /// Size of the lattice's permutation; noise repeats after as many units.
 const PERIOD: usize = 4096;
 
-/// A permutation of 0..4096, shared by the noise, cells and crackle.
-static PERMUTATION: [u16; PERIOD] = {
-    let mut table = [0; PERIOD];
+/// Indices that the permutation takes.
+const INDICES: usize = 1 << u16::BITS;
+
+/// A permutation of 0..4096, shared by the noise, cells and crackle. It is repeated, so that an index of 16 bits needs
+/// neither a remainder nor a check; only the period that is used comes into a cache.
+static PERMUTATION: [u16; INDICES] = {
+    let mut table = [0; INDICES];
     let mut i = 0;
     while i < PERIOD {
         table[i] = i as u16;
@@ -56,6 +55,11 @@ static PERMUTATION: [u16; PERIOD] = {
     while i > 0 {
         i -= 1;
         table.swap(i, random.draw() as usize % PERIOD);
+    }
+    i = PERIOD;
+    while i < INDICES {
+        table[i] = table[i - PERIOD];
+        i += 1;
     }
     table
 };
@@ -67,79 +71,20 @@ pub fn lattice_hash(x: i64, y: i64, z: i64) -> usize {
 }
 
 /// Entry `i` of the permutation, for `i` modulo 4096.
+#[inline]
 pub fn permuted(i: usize) -> usize {
-    PERMUTATION[i & (PERIOD - 1)].into()
-}
-
-/// A lattice cell and the point in it. Its corners are taken in pairs along x, both in SIMD lanes.
-struct Cell {
-    /// Table rows of corners (0, b, c) and (1, b, c) at position b + 2c.
-    rows: [[u8; 2]; 4],
-    /// Twice the distances from the lower and the upper side of the cell along x.
-    x: f64x2,
-    /// The same along y and z.
-    yz: [[f64; 2]; 2],
-    /// Half the weights of the pairs of corners: so the values at the corners, of which the noise takes half, need no
-    /// product, and factors of two change no bit.
-    weights: [f64x2; 4],
-}
-
-/// Just below one: coordinates above -1e-10 belong to cell 0, as in POV-Ray.
-pub(super) const POV_ALMOST_ONE: f64 = 1.0 - 1e-10;
-/// Moves cells of ordinary coordinates into positive numbers, as in POV-Ray.
-pub(super) const POV_OFFSET: i32 = 10_000;
-
-fn cell_index(c: f64) -> i32 {
-    // Saturating: coordinates beyond 2^31 have no defined noise in POV-Ray.
-    (if c >= 0.0 { c } else { c - POV_ALMOST_ONE }) as i32
+    PERMUTATION[i % INDICES].into()
 }
 
 fn smooth(f: f64) -> f64 {
     f * f * (3.0 - 2.0 * f)
 }
 
-impl Cell {
-    // Always inline: it halves the work that its parts need not be put into memory.
-    #[inline(always)]
-    fn around(p: DVec3) -> Self {
-        let n = [cell_index(p.x), cell_index(p.y), cell_index(p.z)];
-        let fraction = [p.x - f64::from(n[0]), p.y - f64::from(n[1]), p.z - f64::from(n[2])];
-        let sides = n.map(|i| [i.wrapping_add(POV_OFFSET) as usize, i.wrapping_add(POV_OFFSET + 1) as usize]);
-        let first = sides[0].map(permuted);
-        let rows =
-            std::array::from_fn(|k| first.map(|x| permuted(permuted(x ^ sides[1][k & 1]) ^ sides[2][k >> 1]) as u8));
-        let [sx, sy, sz] = fraction.map(|f| [1.0 - smooth(f), smooth(f)]);
-        let x = f64x2::from(sx) * 0.5;
-        let weights = std::array::from_fn(|k| x * sy[k & 1] * sz[k >> 1]);
-        let [x, y, z] = fraction.map(|f| [2.0 * f, 2.0 * f - 2.0]);
-        Self { rows, x: f64x2::from(x), yz: [y, z], weights }
-    }
-
-    /// One component of the vector noise; the first is the noise, unscaled.
-    #[inline(always)]
-    fn value<const COMPONENT: usize>(&self) -> f64 {
-        let [y, z] = &self.yz;
-        let mut sum = 0.0;
-        for k in 0..4 {
-            let [a, b] = self.rows[k].map(|row| {
-                let row = usize::from(row) + 4 * COMPONENT;
-                &NOISE_TABLE[row..row + 4]
-            });
-            let column = |i: usize| f64x2::from([a[i], b[i]]);
-            let slopes = column(0) + column(1) * self.x + column(2) * y[k & 1] + column(3) * z[k >> 1];
-            let [lower, upper] = (self.weights[k] * slopes).to_array();
-            // In this order, for POV-Ray's last bit.
-            sum = sum + lower + upper;
-        }
-        sum
-    }
-}
-
 /// Noise at a point, in 0..=1.
 pub fn noise(generator: NoiseGenerator, p: DVec3) -> f64 {
     match generator {
-        NoiseGenerator::Original => original(Cell::around(p).value::<0>()),
-        NoiseGenerator::Corrected => corrected(Cell::around(p).value::<0>()),
+        NoiseGenerator::Original => original(lattice::noise(p)),
+        NoiseGenerator::Corrected => corrected(lattice::noise(p)),
         NoiseGenerator::Perlin => perlin(p),
     }
 }
@@ -155,8 +100,7 @@ fn corrected(lattice: f64) -> f64 {
 
 /// Three unclamped noises at a point, about -1 to 1: displacements.
 pub fn vector_noise(p: DVec3) -> DVec3 {
-    let cell = Cell::around(p);
-    DVec3::new(cell.value::<0>(), cell.value::<1>(), cell.value::<2>())
+    lattice::vector_noise(p)
 }
 
 /// Gradients of the third generator and its permutation.
@@ -233,64 +177,60 @@ impl Octaves {
     fn count(self) -> usize {
         self.count.clamp(1, MAX_OCTAVES as u32) as usize
     }
-
-    /// Weights from the second octave on, by repeated multiplication.
-    fn weights(self) -> impl Iterator<Item = f64> {
-        let omega = f64::from(self.omega);
-        std::iter::successors(Some(omega), move |w| Some(w * omega))
-    }
 }
 
 /// Sum of vector noises of rising frequency.
 pub fn vector_turbulence(octaves: Octaves, p: DVec3) -> DVec3 {
-    let noises = vector_noises(p, f64::from(octaves.lambda), octaves.count());
-    noises[1..].iter().zip(octaves.weights()).fold(noises[0], |sum, (noise, weight)| sum + weight * *noise)
+    let series = Series { point: p, first: 1.0, factor: f64::from(octaves.lambda) };
+    series.vector_sum::<false>(octaves.count(), f64::from(octaves.omega))
+}
+
+/// Sum of the absolute values of `count` vector noises, each with twice the frequency and half the weight of the one
+/// before.
+pub fn halving_vector_noises(p: DVec3, count: usize) -> DVec3 {
+    Series { point: p, first: 1.0, factor: 2.0 }.vector_sum::<true>(count, 0.5)
 }
 
 /// Sum of noises of rising frequency.
 pub fn turbulence(generator: NoiseGenerator, octaves: Octaves, p: DVec3) -> f64 {
-    let noises = noises(generator, p, 1.0, f64::from(octaves.lambda), octaves.count());
+    let mut room = [0.0; MAX_OCTAVES];
+    let noises = &mut room[..octaves.count()];
+    fill_noises(generator, p, 1.0, f64::from(octaves.lambda), noises);
     let octave = |noise: f64| match generator {
         NoiseGenerator::Original => noise,
         _ => 2.0 * noise - 0.5,
     };
-    let first = octave(noises[0]).clamp(0.0, 1.0);
-    noises[1..].iter().zip(octaves.weights()).fold(first, |sum, (noise, weight)| sum + weight * octave(*noise))
+    let omega = f64::from(octaves.omega);
+    let mut weight = omega;
+    noises[1..].iter().fold(octave(noises[0]).clamp(0.0, 1.0), |sum, noise| {
+        let weighted = weight * octave(*noise);
+        weight *= omega;
+        sum + weighted
+    })
 }
 
 /// The most noises that are summed up at a point.
 pub const MAX_OCTAVES: usize = 10;
 
-/// Noises at `p` times `first`, `first * factor` and so on, at most [`MAX_OCTAVES`].
-pub fn noises(generator: NoiseGenerator, p: DVec3, first: f64, factor: f64, count: usize) -> ArrayVec<f64, ROOM> {
-    let count = count.min(MAX_OCTAVES);
-    if count == 1 {
-        return [noise(generator, p * first)].into_iter().collect();
-    }
+/// Noises at `p` times `first`, `first * factor` and so on.
+pub fn noises<const COUNT: usize>(generator: NoiseGenerator, p: DVec3, first: f64, factor: f64) -> [f64; COUNT] {
+    let mut noises = [0.0; COUNT];
+    fill_noises(generator, p, first, factor, &mut noises);
+    noises
+}
+
+fn fill_noises(generator: NoiseGenerator, p: DVec3, first: f64, factor: f64, noises: &mut [f64]) {
     let scaled = match generator {
         NoiseGenerator::Original => original,
         NoiseGenerator::Corrected => corrected,
         NoiseGenerator::Perlin => {
-            return std::iter::successors(Some(first), |f| Some(f * factor))
-                .take(count)
-                .map(|f| perlin(p * f))
-                .collect();
+            let frequencies = std::iter::successors(Some(first), |f| Some(f * factor));
+            noises.iter_mut().zip(frequencies).for_each(|(noise, frequency)| *noise = perlin(p * frequency));
+            return;
         }
     };
-    let mut noises = ArrayVec::from(Series { point: p, first, factor }.noises(count).map(scaled));
-    noises.truncate(count);
-    noises
-}
-
-/// Vector noises at `p`, at `p * factor` and so on, at most [`MAX_OCTAVES`].
-pub fn vector_noises(p: DVec3, factor: f64, count: usize) -> ArrayVec<DVec3, MAX_OCTAVES> {
-    if count == 1 {
-        return [vector_noise(p)].into_iter().collect();
-    }
-    let mut noises = ArrayVec::from([DVec3::ZERO; MAX_OCTAVES]);
-    noises.truncate(count);
-    Series { point: p, first: 1.0, factor }.vector_noises(&mut noises);
-    noises
+    Series { point: p, first, factor }.noises(noises);
+    noises.iter_mut().for_each(|noise| *noise = scaled(*noise));
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //! Source: sections 3, 4 and 14 of the pattern facts (measured).
 
 use crate::math::noise::{
-    Congruential, NoiseGenerator, Octaves, noises, turbulence, vector_noise, vector_noises, vector_turbulence,
+    Congruential, NoiseGenerator, Octaves, halving_vector_noises, noises, turbulence, vector_noise, vector_turbulence,
 };
 use crate::math::{DVec2, DVec3};
 use std::f64::consts::TAU;
@@ -21,7 +21,7 @@ pub(super) fn granite(generator: NoiseGenerator, p: DVec3) -> f64 {
         NoiseGenerator::Original => (0.5 - n).abs(),
         _ => (1.0 - 2.0 * n).abs().min(0.5),
     };
-    halving(noises(generator, p, 4.0, 2.0, 6).into_iter().map(fold))
+    halving(noises::<6>(generator, p, 4.0, 2.0).map(fold))
 }
 
 /// Wrinkles: ten octaves of noise.
@@ -30,18 +30,19 @@ pub(super) fn wrinkles(generator: NoiseGenerator, p: DVec3) -> f64 {
         NoiseGenerator::Original => n,
         _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
     };
-    0.5 * halving(noises(generator, p, 1.0, 2.0, 10).into_iter().map(fold))
+    0.5 * halving(noises::<10>(generator, p, 1.0, 2.0).map(fold))
 }
 
 /// Displacement of a normal by wrinkles.
 pub(super) fn wrinkles_bump(p: DVec3) -> DVec3 {
-    halving(vector_noises(p, 2.0, 10).into_iter().map(DVec3::abs))
+    halving_vector_noises(p, 10)
 }
 
 /// The sum of terms, each with half the weight of the one before.
-fn halving<T: Sum + Mul<f64, Output = T>>(terms: impl Iterator<Item = T>) -> T {
+fn halving<const COUNT: usize>(terms: [f64; COUNT]) -> f64 {
     let mut weight = 2.0;
     terms
+        .into_iter()
         .map(|term| {
             weight *= 0.5;
             term * weight

@@ -1,0 +1,415 @@
+//! The lattice noise at a point, in SIMD lanes: the work behind all noise but Perlin's.
+//!
+//! A cell of the lattice is found with the point's coordinates in the lanes. Its corners are then summed up four at a
+//! time for the noise; for the vector noise its three components are the lanes, and the table is so ordered that a
+//! corner is four loads and no shuffle. Sums keep POV-Ray's order and nothing is fused, so that the bits are the
+//! same on every processor.
+//!
+//! Source: section 5.2 of the function facts (measured).
+
+use super::DVec3;
+use super::noise::permuted;
+use super::noise_table::NOISE_TABLE;
+use bytemuck::cast;
+use pulp::{Scalar256b, Simd, f64x4, m64x4, u64x4};
+
+/// The noise at a point, unscaled.
+pub(super) fn noise(point: DVec3) -> f64 {
+    dispatch(Noise(point))
+}
+
+/// The vector noise at a point.
+pub(super) fn vector_noise(point: DVec3) -> DVec3 {
+    dispatch(VectorNoise(point))
+}
+
+/// A point at rising frequencies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Series {
+    /// The point at frequency 1.
+    pub(super) point: DVec3,
+    /// The first frequency.
+    pub(super) first: f64,
+    /// From one frequency to the next; products round one after the other.
+    pub(super) factor: f64,
+}
+
+impl Series {
+    /// Writes the unscaled noises at as many frequencies as there is room for.
+    pub(super) fn noises(self, noises: &mut [f64]) {
+        dispatch(Noises { series: self, noises });
+    }
+
+    /// The sum of `count` vector noises, or of their absolute values. The first has weight 1, every other `ratio` times
+    /// that of the one before.
+    pub(super) fn vector_sum<const ABSOLUTE: bool>(self, count: usize, ratio: f64) -> DVec3 {
+        dispatch(VectorSum::<ABSOLUTE> { series: self, count, ratio })
+    }
+
+    /// The cells of the point at the next frequencies.
+    #[inline(always)]
+    fn next_cells<S: Lanes>(&mut self, simd: S, cells: &mut [Cell]) {
+        let point = lanes(self.point);
+        for cell in cells {
+            *cell = Cell::around(simd, simd.mul_f64s(point, simd.splat_f64s(self.first)));
+            self.first *= self.factor;
+        }
+    }
+}
+
+/// Four doubles at once, as the processor has them.
+trait Lanes: Simd<f64s = f64x4, u64s = u64x4, m64s = m64x4> {
+    /// Rounds towards zero.
+    fn truncate(self, v: f64x4) -> f64x4;
+
+    /// The columns of four rows.
+    fn columns(self, rows: [&[f64; 4]; 4]) -> [f64x4; 4];
+}
+
+impl Lanes for Scalar256b {
+    #[inline(always)]
+    fn truncate(self, f64x4(a, b, c, d): f64x4) -> f64x4 {
+        // From 2^52 on every number is whole. Calls of the C library are what this saves.
+        let truncate = |v: f64| if v.abs() < (1_u64 << 52) as f64 { v as i64 as f64 } else { v };
+        f64x4(truncate(a), truncate(b), truncate(c), truncate(d))
+    }
+
+    #[inline(always)]
+    fn columns(self, [a, b, c, d]: [&[f64; 4]; 4]) -> [f64x4; 4] {
+        let column = |i: usize| f64x4(a[i], b[i], c[i], d[i]);
+        [column(0), column(1), column(2), column(3)]
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Lanes for pulp::x86::V3 {
+    #[inline(always)]
+    fn truncate(self, v: f64x4) -> f64x4 {
+        self.truncate_f64x4(v)
+    }
+
+    #[inline(always)]
+    fn columns(self, [a, b, c, d]: [&[f64; 4]; 4]) -> [f64x4; 4] {
+        let [even, odd] = [self.halves::<0>(a, c), self.halves::<0>(b, d)];
+        let [even_2, odd_2] = [self.halves::<2>(a, c), self.halves::<2>(b, d)];
+        [
+            cast(self.avx._mm256_unpacklo_pd(even, odd)),
+            cast(self.avx._mm256_unpackhi_pd(even, odd)),
+            cast(self.avx._mm256_unpacklo_pd(even_2, odd_2)),
+            cast(self.avx._mm256_unpackhi_pd(even_2, odd_2)),
+        ]
+    }
+}
+
+/// Pieces of rows.
+#[cfg(target_arch = "x86_64")]
+trait Halves {
+    /// Entries `I` and `I + 1` of two rows.
+    fn halves<const I: usize>(self, low: &[f64; 4], high: &[f64; 4]) -> std::arch::x86_64::__m256d;
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Halves for pulp::x86::V3 {
+    #[inline(always)]
+    fn halves<const I: usize>(self, low: &[f64; 4], high: &[f64; 4]) -> std::arch::x86_64::__m256d {
+        let low = self.avx._mm256_castpd128_pd256(cast([low[I], low[I + 1]]));
+        self.avx._mm256_insertf128_pd::<1>(low, cast([high[I], high[I + 1]]))
+    }
+}
+
+/// Work on lanes, whatever they are.
+trait Work {
+    type Output;
+    fn run<S: Lanes>(self, simd: S) -> Self::Output;
+}
+
+/// Does the work with AVX2 where the processor has it.
+fn dispatch<W: Work>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(simd) = pulp::x86::V3::try_new() {
+        return simd.vectorize(
+            #[inline(always)]
+            || work.run(simd),
+        );
+    }
+    work.run(Scalar256b)
+}
+
+struct Noise(DVec3);
+
+impl Work for Noise {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) -> f64 {
+        Cell::around(simd, lanes(self.0)).noise(simd)
+    }
+}
+
+struct VectorNoise(DVec3);
+
+impl Work for VectorNoise {
+    type Output = DVec3;
+
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) -> DVec3 {
+        vector(Cell::around(simd, lanes(self.0)).vector_noise(simd))
+    }
+}
+
+/// As many cells of a series are found before their noises are summed up: the processor then works on several at
+/// once, where each has to wait for its own table rows. Six octaves, the default, are two such groups.
+const GROUP: usize = 3;
+
+struct Noises<'a> {
+    series: Series,
+    noises: &'a mut [f64],
+}
+
+impl Work for Noises<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) {
+        let Self { mut series, noises } = self;
+        let mut cells = [Cell::default(); GROUP];
+        for noises in noises.chunks_mut(GROUP) {
+            let cells = &mut cells[..noises.len()];
+            series.next_cells(simd, cells);
+            for (cell, noise) in cells.iter().zip(noises) {
+                *noise = cell.noise(simd);
+            }
+        }
+    }
+}
+
+struct VectorSum<const ABSOLUTE: bool> {
+    series: Series,
+    count: usize,
+    ratio: f64,
+}
+
+impl<const ABSOLUTE: bool> Work for VectorSum<ABSOLUTE> {
+    type Output = DVec3;
+
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) -> DVec3 {
+        let Self { mut series, count, ratio } = self;
+        let mut cells = [Cell::default(); GROUP];
+        let (mut sum, mut weight) = (simd.splat_f64s(0.0), 1.0);
+        for done in (0..count).step_by(GROUP) {
+            let cells = &mut cells[..(count - done).min(GROUP)];
+            series.next_cells(simd, cells);
+            for cell in cells {
+                let noise = cell.vector_noise(simd);
+                let noise = if ABSOLUTE { simd.abs_f64s(noise) } else { noise };
+                sum = simd.add_f64s(sum, simd.mul_f64s(simd.splat_f64s(weight), noise));
+                weight *= ratio;
+            }
+        }
+        vector(sum)
+    }
+}
+
+#[inline(always)]
+fn lanes(v: DVec3) -> f64x4 {
+    f64x4(v.x, v.y, v.z, 0.0)
+}
+
+#[inline(always)]
+fn vector(f64x4(x, y, z, _): f64x4) -> DVec3 {
+    DVec3::new(x, y, z)
+}
+
+/// Just below one: coordinates above -1e-10 belong to cell 0, as in POV-Ray.
+const POV_ALMOST_ONE: f64 = 1.0 - 1e-10;
+/// Moves cells of ordinary coordinates into positive numbers, as in POV-Ray.
+const POV_OFFSET: f64 = 10_000.0;
+/// What brings a whole number (below 2^51), moved by the offset, into the lowest bits of a double's mantissa.
+const TO_BITS: f64 = ((1_u64 << 52) + (1 << 51)) as f64 + POV_OFFSET;
+
+/// What is needed of a lattice cell and the point in it. Corner k stands on side k & 1 along x, on side k >> 1 & 1
+/// along y and on side k >> 2 along z.
+#[derive(Clone, Copy, Default)]
+struct Cell {
+    /// Table rows of the corners, modulo 256.
+    rows: [u32; 8],
+    /// Twice the distances from the lower and from the upper sides along x, y and z; nothing in the fourth place.
+    distances: [[f64; 4]; 2],
+    /// Half the weights of corners 0 to 3 and of corners 4 to 7: so the values at the corners, of which the noise
+    /// takes half, need no product, and factors of two change no bit.
+    weights: [[f64; 4]; 2],
+}
+
+impl Cell {
+    #[inline(always)]
+    fn around<S: Lanes>(simd: S, point: f64x4) -> Self {
+        let below = simd.sub_f64s(point, simd.splat_f64s(POV_ALMOST_ONE));
+        let positive = simd.greater_than_or_equal_f64s(point, simd.splat_f64s(0.0));
+        let whole = simd.truncate(simd.select_f64s(positive, point, below));
+        let lower = simd.transmute_u64s_f64s(simd.add_f64s(whole, simd.splat_f64s(TO_BITS)));
+        let upper = simd.add_u64s(lower, simd.splat_u64s(1));
+        let fraction = simd.sub_f64s(point, whole);
+        let twice = simd.add_f64s(fraction, fraction);
+        let three_less = simd.sub_f64s(simd.splat_f64s(3.0), twice);
+        let upper_shares = simd.mul_f64s(simd.mul_f64s(fraction, fraction), three_less);
+        let lower_shares = simd.sub_f64s(simd.splat_f64s(1.0), upper_shares);
+        Self {
+            rows: rows(cast(lower), cast(upper)),
+            distances: [cast(twice), cast(simd.sub_f64s(twice, simd.splat_f64s(2.0)))],
+            weights: weights(simd, lower_shares, upper_shares),
+        }
+    }
+
+    /// The unscaled noise.
+    #[inline(always)]
+    fn noise<S: Lanes>(&self, simd: S) -> f64 {
+        let [lower, upper] = &self.distances;
+        let x = f64x4(lower[0], upper[0], lower[0], upper[0]);
+        let y = f64x4(lower[1], lower[1], upper[1], upper[1]);
+        let mut sum = 0.0;
+        for (k, z) in [lower[2], upper[2]].into_iter().enumerate() {
+            let row = |i: usize| table_row(&NOISE_TABLE, self.rows[4 * k + i]);
+            let columns = simd.columns([row(0), row(1), row(2), row(3)]);
+            let slopes = slopes(simd, &columns, [x, y, simd.splat_f64s(z)]);
+            let f64x4(a, b, c, d) = simd.mul_f64s(slopes, cast(self.weights[k]));
+            // In this order, for POV-Ray's last bit; so below.
+            sum = sum + a + b + c + d;
+        }
+        sum
+    }
+
+    /// The vector noise.
+    #[inline(always)]
+    fn vector_noise<S: Lanes>(&self, simd: S) -> f64x4 {
+        let mut sum = simd.splat_f64s(0.0);
+        for k in 0..8 {
+            let [x, y, z] = [self.distances[k & 1][0], self.distances[k >> 1 & 1][1], self.distances[k >> 2][2]];
+            let distances = [simd.splat_f64s(x), simd.splat_f64s(y), simd.splat_f64s(z)];
+            let slopes = slopes(simd, table_row(&COLUMNS.0, self.rows[k]), distances);
+            sum = simd.add_f64s(sum, simd.mul_f64s(slopes, simd.splat_f64s(self.weights[k >> 2][k & 3])));
+        }
+        sum
+    }
+}
+
+/// Table rows of corners, from the lattice coordinates of the lower and of the upper sides, modulo 65,536.
+#[inline(always)]
+fn rows([x, y, z, _]: [u64; 4], [u, v, w, _]: [u64; 4]) -> [u32; 8] {
+    // Known to be in the permutation, so that no index is checked.
+    let index = |c: u64| usize::from(c as u16);
+    let (y, z, v, w) = (index(y), index(z), index(v), index(w));
+    let (x, u) = (permuted(index(x)), permuted(index(u)));
+    let (a, b, c, d) = (permuted(x ^ y), permuted(u ^ y), permuted(x ^ v), permuted(u ^ v));
+    let row = |i: usize| permuted(i) as u32;
+    [row(a ^ z), row(b ^ z), row(c ^ z), row(d ^ z), row(a ^ w), row(b ^ w), row(c ^ w), row(d ^ w)]
+}
+
+/// Half the weights of the corners, from the shares of the lower and of the upper sides.
+#[inline(always)]
+fn weights<S: Lanes>(simd: S, lower: f64x4, upper: f64x4) -> [[f64; 4]; 2] {
+    let x = simd.mul_f64s(f64x4(lower.0, upper.0, lower.0, upper.0), simd.splat_f64s(0.5));
+    let xy = simd.mul_f64s(x, f64x4(lower.1, lower.1, upper.1, upper.1));
+    [cast(simd.mul_f64s(xy, simd.splat_f64s(lower.2))), cast(simd.mul_f64s(xy, simd.splat_f64s(upper.2)))]
+}
+
+/// The values of corners, from the four entries of their rows and twice the distances along x, y and z.
+#[inline(always)]
+fn slopes<S: Lanes>(simd: S, entries: &[f64x4; 4], [x, y, z]: [f64x4; 3]) -> f64x4 {
+    let slopes = simd.add_f64s(entries[0], simd.mul_f64s(entries[1], x));
+    let slopes = simd.add_f64s(slopes, simd.mul_f64s(entries[2], y));
+    simd.add_f64s(slopes, simd.mul_f64s(entries[3], z))
+}
+
+/// The four entries of a row, modulo 256.
+#[inline(always)]
+fn table_row<T, const N: usize>(table: &[T; N], row: u32) -> &[T; 4] {
+    const { assert!(N >= 256 + 3) };
+    let row = row as usize % 256;
+    table[row..].first_chunk().expect("the table goes on after its last row")
+}
+
+/// Aligned as cache lines, so that no entry lies in two.
+#[repr(align(64))]
+struct Columns([f64x4; 259]);
+
+/// Entry i of the table for the three components of the vector noise: a corner with row r reads entries r to r + 3.
+static COLUMNS: Columns = Columns({
+    let mut columns = [f64x4(0.0, 0.0, 0.0, 0.0); 259];
+    let mut i = 0;
+    while i < 259 {
+        columns[i] = f64x4(NOISE_TABLE[i], NOISE_TABLE[i + 4], NOISE_TABLE[i + 8], 0.0);
+        i += 1;
+    }
+    columns
+});
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::MersenneTwister;
+    use crate::math::noise::{MAX_OCTAVES, lattice_hash};
+
+    /// The noise as section 5.2 writes it down, component by component.
+    fn plain(point: DVec3) -> DVec3 {
+        let point = point.to_array();
+        let n = point.map(|c| if c >= 0.0 { c.trunc() } else { (c - (1.0 - 1e-10)).trunc() });
+        let [fx, fy, fz] = [point[0] - n[0], point[1] - n[1], point[2] - n[2]];
+        let share = |f: f64, side: usize| {
+            let upper = f * f * (3.0 - 2.0 * f);
+            if side == 0 { 1.0 - upper } else { upper }
+        };
+        let mut sum = [0.0; 3];
+        for k in 0..8 {
+            let [i, j, l] = [k & 1, k >> 1 & 1, k >> 2];
+            let corner = |axis: usize, side: usize| n[axis] as i64 + 10_000 + side as i64;
+            let row = lattice_hash(corner(0, i), corner(1, j), corner(2, l)) % 256;
+            let [x, y, z] = [fx - i as f64, fy - j as f64, fz - l as f64];
+            let weight = share(fx, i) * share(fy, j) * share(fz, l);
+            for (component, sum) in sum.iter_mut().enumerate() {
+                let t = &NOISE_TABLE[row + 4 * component..];
+                *sum += weight * (0.5 * t[0] + t[1] * x + t[2] * y + t[3] * z);
+            }
+        }
+        sum.into()
+    }
+
+    /// Every noise of a series, with and without AVX2, has the bits of the plain formula.
+    fn check(series: Series, count: usize) {
+        let points: Vec<_> = std::iter::successors(Some(series.first), |f| Some(f * series.factor))
+            .take(count)
+            .map(|frequency| series.point * frequency)
+            .collect();
+        let expected: Vec<_> = points.iter().map(|p| plain(*p)).collect();
+        let (mut noises, mut scalar) = (vec![0.0; count], vec![0.0; count]);
+        series.noises(&mut noises);
+        Noises { series, noises: &mut scalar }.run(Scalar256b);
+        for i in 0..count {
+            let all = [noise(points[i]), Noise(points[i]).run(Scalar256b), noises[i], scalar[i]];
+            assert!(all.iter().all(|n| *n == expected[i].x), "{series:?}: {all:?} for {}", expected[i].x);
+            let vectors = [vector_noise(points[i]), VectorNoise(points[i]).run(Scalar256b)];
+            assert!(vectors.iter().all(|v| *v == expected[i]), "{series:?}: {vectors:?} for {}", expected[i]);
+        }
+        let ratio = f64::from(0.55_f32);
+        let weights = std::iter::successors(Some(1.0), |w| Some(w * ratio));
+        let sum: DVec3 = expected.iter().zip(weights.clone()).map(|(v, w)| w * *v).sum();
+        let absolute: DVec3 = expected.iter().zip(weights).map(|(v, w)| w * v.abs()).sum();
+        assert!(series.vector_sum::<false>(count, ratio) == sum, "{series:?}");
+        assert!(VectorSum::<true> { series, count, ratio }.run(Scalar256b) == absolute, "{series:?}");
+    }
+
+    #[test]
+    fn noises_have_the_bits_of_the_plain_formula() {
+        let mut random = MersenneTwister::default();
+        let mut next = || 2.0 * random.next_f64() - 1.0;
+        for i in 0..4000 {
+            let size = 10.0_f64.powi(i % 8 - 2);
+            let point = size * DVec3::new(next(), next(), next());
+            check(Series { point, first: 1.0, factor: 2.0 + next() }, 1 + i as usize % MAX_OCTAVES);
+        }
+        // Whole and nearly whole coordinates, where the cell changes.
+        for c in [0.0, -0.0, 1.0, -1.0, -1e-10, -1e-11, 0.5, -4096.0, 1e5] {
+            check(Series { point: DVec3::new(c, 2.0 * c, -c), first: 4.0, factor: 2.0 }, 10);
+        }
+    }
+}
