@@ -25,7 +25,7 @@ pub use bounds::Bounds;
 pub use color::{Color, Rgb, gray};
 pub use error_bound::{dot_error, gamma, transformed_point_error};
 pub use floor::{floor, fraction, modulo};
-pub use glam::{DMat3, DVec2, DVec3, DVec4};
+pub use glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
 pub use mersenne_twister::MersenneTwister;
 pub use ray::{Range, Ray};
 pub use roots::{MAX_DEGREE, Roots, discriminant, quadratic_roots, root_bound, roots_in};

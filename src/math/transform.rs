@@ -1,7 +1,6 @@
 //! Affine maps that carry their inverse along.
 
-use super::{Bounds, DMat3, DVec3, Ray};
-use glam::DAffine3;
+use super::{Bounds, DAffine3, DMat3, DVec3, Ray};
 
 /// An invertible affine map, with its inverse.
 ///
@@ -92,6 +91,11 @@ impl Transform {
     /// The linear part: columns are the images of the axes.
     pub fn linear(&self) -> DMat3 {
         self.forward.matrix3
+    }
+
+    /// The inverse alone.
+    pub fn inverse_affine(&self) -> DAffine3 {
+        self.backward
     }
 
     /// The linear part of the inverse.

@@ -217,7 +217,7 @@ fn warp(warp: &scene::Warp) -> Warp {
         dist_exp: *dist_exp,
     };
     match warp {
-        S::Transform(t) => Warp::Affine(t.inverse()),
+        S::Transform(t) => Warp::affine(t.inverse_affine()),
         S::Repeat { axis, width, offset, flip } => Warp::Repeat {
             axis: *axis,
             width: *width,

@@ -1,6 +1,6 @@
 //! The formulas of patterns: here those that need neither noise nor tables.
 
-use super::{Context, Pattern, PatternKind, crackle, noise_formula};
+use super::{Context, Pattern, PatternKind, Pigment, crackle, noise_formula};
 use crate::math::noise::{noise, vector_noise};
 use crate::math::{DVec3, floor, fraction, gray, modulo};
 use std::f64::consts::{PI, TAU};
@@ -11,19 +11,29 @@ const CELL_OFFSET: f64 = 1e-10;
 const TRIANGLE_HEIGHT: f64 = 0.866_025_403_784_438_6;
 
 /// The raw value, before frequency and wave.
+#[inline]
 pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
     match &pattern.kind {
         PatternKind::None => 0.0,
-        PatternKind::Agate { generator, octaves, amount } => noise_formula::agate(*generator, *octaves, *amount, p),
-        PatternKind::Aoi => {
-            let normal = context.shading_normal().normalize_or_zero();
-            normal.dot(context.direction).clamp(-1.0, 1.0).acos() / PI
-        }
         PatternKind::Boxed => falling(p.abs().max_element()),
         PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => noise(*generator, p),
+        PatternKind::Checker => checker(p),
+        PatternKind::Gradient(direction) => wrapped(p.dot(*direction)),
+        PatternKind::Onion => fraction(p.length()),
+        PatternKind::Planar => falling(p.y.abs()),
+        PatternKind::Spherical => falling(p.length()),
+        _ => elaborate(pattern, p, context),
+    }
+}
+
+/// The raw value of a formula that is worth a call.
+#[inline(never)]
+fn elaborate(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
+    match &pattern.kind {
+        PatternKind::Agate { generator, octaves, amount } => noise_formula::agate(*generator, *octaves, *amount, p),
+        PatternKind::Aoi => angle_of_incidence(context),
         PatternKind::Brick { size, mortar } => brick(p, *size, *mortar),
         PatternKind::Cells => crackle::cells(p),
-        PatternKind::Checker => checker(p),
         PatternKind::Crackle(crackle) => crackle.value(p),
         PatternKind::Cubic => cubic(p),
         PatternKind::Cylindrical => falling(p.x.hypot(p.z)),
@@ -31,34 +41,36 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
         PatternKind::Dents(generator) => noise(*generator, p).powi(3),
         PatternKind::Fractal(fractal) => fractal.value(p),
         PatternKind::Function(f) => wrapped(f.at(p)),
-        PatternKind::Gradient(direction) => wrapped(p.dot(*direction)),
         PatternKind::Granite(generator) => noise_formula::granite(*generator, p),
         PatternKind::Hexagon => hexagon(p.x, p.z),
         PatternKind::Image(image, mapping) => image.pattern_value(mapping, p),
-        PatternKind::Leopard => ((p.x.sin() + p.y.sin() + p.z.sin()) / 3.0).powi(2),
+        PatternKind::Leopard => leopard(p),
         PatternKind::Marble(inner) => noise_formula::marble(inner.as_deref(), p),
         PatternKind::Material(image, mapping, n) => image.material_index(mapping, p, *n) as f64,
         PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p))),
-        PatternKind::Onion => fraction(p.length()),
         PatternKind::Pavement(pavement) => pavement.value(p),
-        PatternKind::Pigment(pigment) => f64::from(gray(pigment.color_or_clear(p, context).rgb)),
-        PatternKind::Planar => falling(p.y.abs()),
+        PatternKind::Pigment(pigment) => gray_at(pigment, p, context),
         PatternKind::Quilted(control) => noise_formula::quilted(*control, p),
         PatternKind::Radial => radial(p),
         PatternKind::Ripples(sources) => sources.ripples(pattern.frequency, pattern.phase, p),
         PatternKind::Slope(slope) => slope.value(p, context),
-        PatternKind::Spherical => falling(p.length()),
         PatternKind::Spiral1(arms, inner) => noise_formula::spiral(*arms, inner.as_deref(), p),
-        PatternKind::Spiral2(arms, inner) => {
-            let folded = |v: f64| 1.0 - (2.0 * fraction(v) - 1.0).abs();
-            folded((p.x * p.x + p.y * p.y).sqrt()) + folded(noise_formula::spiral(*arms, inner.as_deref(), p))
-        }
+        PatternKind::Spiral2(arms, inner) => noise_formula::double_spiral(*arms, inner.as_deref(), p),
         PatternKind::Square => square(p),
         PatternKind::Tiling(tiling) => tiling.value(p),
         PatternKind::Triangular => triangular(p.x, p.z),
         PatternKind::Waves(sources) => sources.waves(pattern.frequency, pattern.phase, p),
         PatternKind::Wood(inner) => noise_formula::wood(inner.as_deref(), p),
         PatternKind::Wrinkles(generator) => noise_formula::wrinkles(*generator, p),
+        PatternKind::None
+        | PatternKind::Boxed
+        | PatternKind::Bozo(_)
+        | PatternKind::Bumps(_)
+        | PatternKind::Checker
+        | PatternKind::Gradient(_)
+        | PatternKind::Onion
+        | PatternKind::Planar
+        | PatternKind::Spherical => value(pattern, p, context),
     }
 }
 
@@ -85,6 +97,19 @@ fn falling(distance: f64) -> f64 {
 /// Values above 1 start again; the sign stays.
 fn wrapped(v: f64) -> f64 {
     if v > 1.0 { fraction(v) } else { v }
+}
+
+fn angle_of_incidence(context: &Context) -> f64 {
+    let normal = context.shading_normal().normalize_or_zero();
+    normal.dot(context.direction).clamp(-1.0, 1.0).acos() / PI
+}
+
+fn leopard(p: DVec3) -> f64 {
+    ((p.x.sin() + p.y.sin() + p.z.sin()) / 3.0).powi(2)
+}
+
+fn gray_at(pigment: &Pigment, p: DVec3, context: &Context) -> f64 {
+    f64::from(gray(pigment.color_or_clear(p, context).rgb))
 }
 
 fn checker(p: DVec3) -> f64 {

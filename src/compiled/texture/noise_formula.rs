@@ -5,7 +5,7 @@
 use crate::math::noise::{
     Congruential, NoiseGenerator, Octaves, halving_vector_noises, noises, turbulence, vector_noise, vector_turbulence,
 };
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, fraction};
 use std::f64::consts::TAU;
 use std::iter::Sum;
 use std::ops::Mul;
@@ -92,6 +92,12 @@ pub(super) fn spiral(arms: f64, inner: Option<&InnerTurbulence>, p: DVec3) -> f6
     // From -y turning toward +x.
     let angle = if r == 0.0 { 0.0 } else { p.x.atan2(-p.y).rem_euclid(TAU) };
     p.z + r + arms * angle / TAU + inner.map_or(0.0, |t| t.scalar(p))
+}
+
+/// A spiral and rings, both folded.
+pub(super) fn double_spiral(arms: f64, inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
+    let folded = |v: f64| 1.0 - (2.0 * fraction(v) - 1.0).abs();
+    folded((p.x * p.x + p.y * p.y).sqrt()) + folded(spiral(arms, inner, p))
 }
 
 /// Sources of ripples and waves: unit directions and frequencies.

@@ -105,10 +105,7 @@ impl Frame {
 impl Pattern {
     /// Linear part of all affine warps: containing space to pattern space.
     pub fn linear(&self) -> DMat3 {
-        self.warps.iter().fold(DMat3::IDENTITY, |m, warp| match warp {
-            super::Warp::Affine(t) => t.linear() * m,
-            _ => m,
-        })
+        self.warps.iter().filter_map(super::Warp::linear).fold(DMat3::IDENTITY, |m, linear| linear * m)
     }
 }
 

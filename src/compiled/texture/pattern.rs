@@ -138,7 +138,11 @@ impl Pattern {
     /// Carries a point from the space that contains the pattern to that of the formula.
     #[inline]
     pub fn warp(&self, point: DVec3) -> DVec3 {
-        let moved = self.warps.iter().fold(point, |p, warp| warp.apply(p));
+        let moved = match &*self.warps {
+            [] => point,
+            [warp] => warp.apply(point),
+            warps => warps.iter().fold(point, |p, warp| warp.apply(p)),
+        };
         // POV-Ray's own limit.
         moved.clamp(DVec3::splat(-1e17), DVec3::splat(1e17))
     }
@@ -174,15 +178,28 @@ impl Pattern {
 /// POV-Ray's period of a value: a little more than 1, so that 1 itself stays.
 const POV_PERIOD: f64 = 1.000_01;
 
-/// The remainder by the period, with the value's sign.
+/// The upper 26 bits of the period's mantissa, and the rest of it: products with whole numbers below 2^25 are exact.
+const PERIOD_PARTS: [f64; 2] = {
+    let upper = f64::from_bits(POV_PERIOD.to_bits() & (u64::MAX << 27));
+    [upper, POV_PERIOD - upper]
+};
+
+/// The remainder by the period, with the value's sign, exactly.
 #[inline]
 fn remainder(v: f64) -> f64 {
-    // Most values lie in the first two periods, where one subtraction is exact (Sterbenz) and cheap.
-    match v.abs() {
-        size if size < POV_PERIOD => v,
-        size if size < 2.0 * POV_PERIOD => v - POV_PERIOD.copysign(v),
-        _ => v % POV_PERIOD,
+    let size = v.abs();
+    if size < POV_PERIOD {
+        return v;
     }
+    if size >= f64::from(1 << 24) {
+        return v % POV_PERIOD;
+    }
+    // The quotient may be one off; no step rounds, as all numbers are multiples of 2^-52 and less than 2.
+    let quotient = f64::from((size * (1.0 / POV_PERIOD)) as i32);
+    let rest = size - quotient * PERIOD_PARTS[0] - quotient * PERIOD_PARTS[1];
+    let rest = if rest < 0.0 { rest + POV_PERIOD } else { rest };
+    let rest = if rest >= POV_PERIOD { rest - POV_PERIOD } else { rest };
+    rest.copysign(v)
 }
 
 /// Frequency, phase and wave, as in section 2 of the pattern facts; the odd modulus is measured.
@@ -231,7 +248,8 @@ mod tests {
     #[test]
     fn remainders_are_those_of_the_library() {
         let near = |v: f64| [v.next_down(), v, v.next_up()];
-        let periods = (0..5).map(|n| f64::from(n) * POV_PERIOD).chain([0.3, 1.5, 7.9, 1e9, f64::INFINITY]);
+        let whole = (0..5).chain((0..23).map(|i| 1 << i)).chain([12_345_678, 16_777_047, 16_777_048, 16_777_215]);
+        let periods = whole.map(|n| f64::from(n) * POV_PERIOD).chain([0.3, 1.5, 7.9, 1e4 / 3.0, 1e9, f64::INFINITY]);
         for v in periods.flat_map(near).flat_map(|v| [v, -v]) {
             assert_eq!(remainder(v).to_bits() << 1, (v % POV_PERIOD).to_bits() << 1, "{v}");
         }

@@ -5,14 +5,21 @@
 use super::crackle::random_number;
 use super::formula::cubic;
 use crate::math::noise::{Octaves, lattice_hash, vector_turbulence};
-use crate::math::{DVec3, Transform, floor, modulo};
+use crate::math::{DAffine3, DMat3, DVec3, floor, modulo};
 use std::f64::consts::TAU;
 
 /// One step, ready to apply to a point.
 #[derive(Clone, Debug)]
 pub enum Warp {
+    /// Scales and moves along the axes, as most transformations of textures do.
+    Scaling {
+        /// Factor along each axis.
+        factor: DVec3,
+        /// Added after it.
+        offset: DVec3,
+    },
     /// Carries the point from the containing space inwards: `pattern_from_outer`.
-    Affine(Transform),
+    Affine(DAffine3),
     /// Repeats a slab along an axis.
     Repeat {
         /// 0 to 2.
@@ -81,11 +88,40 @@ pub struct BlackHole {
 }
 
 impl Warp {
+    /// An affine map in its simplest form.
+    pub fn affine(pattern_from_outer: DAffine3) -> Self {
+        let factor = DVec3::from_array(std::array::from_fn(|i| pattern_from_outer.matrix3.col(i)[i]));
+        if pattern_from_outer.matrix3 == DMat3::from_diagonal(factor) {
+            Self::Scaling { factor, offset: pattern_from_outer.translation }
+        } else {
+            Self::Affine(pattern_from_outer)
+        }
+    }
+
+    /// The linear part of an affine step.
+    pub fn linear(&self) -> Option<DMat3> {
+        match self {
+            Self::Scaling { factor, .. } => Some(DMat3::from_diagonal(*factor)),
+            Self::Affine(pattern_from_outer) => Some(pattern_from_outer.matrix3),
+            _ => None,
+        }
+    }
+
     /// Carries a point one step inwards.
     #[inline]
     pub fn apply(&self, p: DVec3) -> DVec3 {
         match self {
-            Self::Affine(pattern_from_outer) => pattern_from_outer.point(p),
+            Self::Scaling { factor, offset } => *factor * p + *offset,
+            Self::Affine(pattern_from_outer) => pattern_from_outer.transform_point3(p),
+            bent => bent.bend(p),
+        }
+    }
+
+    /// A step that is no affine map.
+    #[inline(never)]
+    fn bend(&self, p: DVec3) -> DVec3 {
+        match self {
+            Self::Scaling { .. } | Self::Affine(_) => self.apply(p),
             Self::Repeat { axis, width, offset, flip } => repeat(p, *axis, *width, *offset, *flip),
             Self::Turbulence { amount, octaves } => p + *amount * vector_turbulence(*octaves, p),
             Self::BlackHole(hole) => hole.apply(p),
