@@ -46,14 +46,12 @@ impl Series {
         dispatch(VectorSum::<ABSOLUTE> { series: self, count, ratio })
     }
 
-    /// The cells of the point at the next frequencies.
+    /// The cell of the point at the next frequency.
     #[inline(always)]
-    fn next_cells<S: Lanes>(&mut self, simd: S, cells: &mut [Cell]) {
-        let point = lanes(self.point);
-        for cell in cells {
-            *cell = Cell::around(simd, simd.mul_f64s(point, simd.splat_f64s(self.first)));
-            self.first *= self.factor;
-        }
+    fn next_cell<S: Lanes>(&mut self, simd: S) -> Cell {
+        let cell = Cell::around(simd, simd.mul_f64s(lanes(self.point), simd.splat_f64s(self.first)));
+        self.first *= self.factor;
+        cell
     }
 }
 
@@ -157,10 +155,6 @@ impl Work for VectorNoise {
     }
 }
 
-/// As many cells of a series are found before their noises are summed up: the processor then works on several at
-/// once, where each has to wait for its own table rows. Six octaves, the default, are two such groups.
-const GROUP: usize = 3;
-
 struct Noises<'a> {
     series: Series,
     noises: &'a mut [f64],
@@ -172,13 +166,12 @@ impl Work for Noises<'_> {
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) {
         let Self { mut series, noises } = self;
-        let mut cells = [Cell::default(); GROUP];
-        for noises in noises.chunks_mut(GROUP) {
-            let cells = &mut cells[..noises.len()];
-            series.next_cells(simd, cells);
-            for (cell, noise) in cells.iter().zip(noises) {
-                *noise = cell.noise(simd);
-            }
+        // A cell waits for its table rows while the noise of the one before is summed up: that is worth the one
+        // cell too many.
+        let mut next = series.next_cell(simd);
+        for noise in noises {
+            let cell = std::mem::replace(&mut next, series.next_cell(simd));
+            *noise = cell.noise(simd);
         }
     }
 }
@@ -195,17 +188,15 @@ impl<const ABSOLUTE: bool> Work for VectorSum<ABSOLUTE> {
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) -> DVec3 {
         let Self { mut series, count, ratio } = self;
-        let mut cells = [Cell::default(); GROUP];
         let (mut sum, mut weight) = (simd.splat_f64s(0.0), 1.0);
-        for done in (0..count).step_by(GROUP) {
-            let cells = &mut cells[..(count - done).min(GROUP)];
-            series.next_cells(simd, cells);
-            for cell in cells {
-                let noise = cell.vector_noise(simd);
-                let noise = if ABSOLUTE { simd.abs_f64s(noise) } else { noise };
-                sum = simd.add_f64s(sum, simd.mul_f64s(simd.splat_f64s(weight), noise));
-                weight *= ratio;
-            }
+        // As above.
+        let mut next = series.next_cell(simd);
+        for _ in 0..count {
+            let cell = std::mem::replace(&mut next, series.next_cell(simd));
+            let noise = cell.vector_noise(simd);
+            let noise = if ABSOLUTE { simd.abs_f64s(noise) } else { noise };
+            sum = simd.add_f64s(sum, simd.mul_f64s(simd.splat_f64s(weight), noise));
+            weight *= ratio;
         }
         vector(sum)
     }
@@ -230,7 +221,6 @@ const TO_BITS: f64 = ((1_u64 << 52) + (1 << 51)) as f64 + POV_OFFSET;
 
 /// What is needed of a lattice cell and the point in it. Corner k stands on side k & 1 along x, on side k >> 1 & 1
 /// along y and on side k >> 2 along z.
-#[derive(Clone, Copy, Default)]
 struct Cell {
     /// Table rows of the corners, modulo 256.
     rows: [u32; 8],
