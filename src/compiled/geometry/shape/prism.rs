@@ -1,6 +1,6 @@
 //! Outlines swept along an axis: prisms and text.
 
-use super::outline::Segment;
+use super::outline::{Segment, around, odd_right_of};
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(crate) struct Outline {
     pub(crate) segments: Box<[Segment]>,
-    /// Middle and half the size of a box around each segment.
+    /// Lower and upper corner of a box around each segment.
     hulls: Box<[[DVec2; 2]]>,
     min: DVec2,
     max: DVec2,
@@ -19,17 +19,13 @@ pub(crate) struct Outline {
 
 impl Outline {
     pub(crate) fn new(segments: Vec<Segment>) -> Self {
-        let boxes: Vec<_> = segments.iter().map(Segment::bounds).collect();
-        let hull = |(min, max): (DVec2, DVec2), b: &(DVec2, DVec2)| (min.min(b.0), max.max(b.1));
-        let (min, max) = boxes.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), hull);
-        let hulls = boxes.iter().map(|(low, high)| [(*low + *high) * 0.5, (*high - *low) * 0.5]).collect();
+        let hulls: Box<_> = segments.iter().map(Segment::bounds).collect();
+        let [min, max] = around(&hulls);
         Self { segments: segments.into(), hulls, min, max, swept: Bounds::EMPTY }
     }
 
     fn contains(&self, p: DVec2) -> bool {
-        self.min.cmple(p).all()
-            && p.cmple(self.max).all()
-            && self.segments.iter().map(|s| s.crossings_right_of(p)).sum::<usize>() % 2 == 1
+        self.min.cmple(p).all() && p.cmple(self.max).all() && odd_right_of(&self.segments, &self.hulls, p)
     }
 }
 
@@ -59,12 +55,13 @@ struct Shadow {
 }
 
 impl Shadow {
-    /// Whether the line may meet a box, given by its middle and half its size.
-    fn may_meet(&self, [middle, half]: &[DVec2; 2]) -> bool {
-        let reach = self.normal.abs().dot(*half);
+    /// Whether the line may meet a box, given by two corners.
+    fn may_meet(&self, [low, high]: &[DVec2; 2]) -> bool {
+        let (middle, half) = ((*low + *high) * 0.5, (*high - *low) * 0.5);
+        let reach = self.normal.abs().dot(half);
         // What is added up rounds less often than that, here and where the box was found.
         let slack = gamma(64) * (self.normal.abs().dot(middle.abs()) + self.constant.abs() + reach);
-        (self.normal.dot(*middle) + self.constant).abs() <= reach + slack
+        (self.normal.dot(middle) + self.constant).abs() <= reach + slack
     }
 }
 
