@@ -4,7 +4,7 @@
 //! whether it is inside. Both get positions in the list of children.
 
 use super::bvh::{Box32, Bvh};
-use super::solid::may_meet;
+use super::slab::SlabRay;
 use crate::math::{Bounds, DVec3, Range, Ray};
 use rayon::prelude::*;
 use smallvec::SmallVec;
@@ -70,7 +70,7 @@ impl Tree {
     /// Boxes that the ray may meet, in their order.
     pub(super) fn met_by(&self, ray: &Ray, range: Range) -> Positions {
         let mut met: Positions = self.unbounded.iter().copied().collect();
-        if may_meet(&self.hull, ray, range) {
+        if SlabRay::new(ray).may_meet(&self.hull, range) {
             let _: ControlFlow<()> = self.bvh.walk(ray, range, |run, _| {
                 met.extend_from_slice(&self.order[run]);
                 ControlFlow::Continue(())

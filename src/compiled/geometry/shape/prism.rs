@@ -2,6 +2,7 @@
 
 use super::outline::{Segment, around, odd_right_of};
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
+use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
 use std::sync::Arc;
 
@@ -90,9 +91,17 @@ impl Prism {
         Self { outlines, low, high, conic, open: false, caps_only: false, outward_caps: false }
     }
 
-    /// The outline's extent against the ray's shadow: whether to look at it at all.
-    fn may_meet(&self, outline: &Outline, ray: &Ray, range: Range) -> bool {
-        self.conic || super::super::solid::may_meet(&outline.swept, ray, range)
+    /// The box in which a ray's shadow on the plane of an outline passes over it; `None` for nowhere.
+    fn passage(&self, outline: &Outline, ray: &SlabRay<'_>, range: Range) -> Option<[DVec2; 2]> {
+        if self.conic {
+            return Some([outline.min, outline.max]);
+        }
+        let Range { min, max } = ray.within(&outline.swept, range);
+        let (a, b) = (ray.ray.at(min), ray.ray.at(max));
+        // As uncertain as the box was taken to be.
+        let slack = gamma(64) * (a.abs().max(b.abs()).max_element() + ray.ray.origin.abs().max_element());
+        let (a, b) = (DVec2::new(a.x, a.z), DVec2::new(b.x, b.z));
+        (min <= max).then_some([a.min(b) - slack, a.max(b) + slack])
     }
 
     /// The ray's shadow on the plane of the outline.
@@ -144,14 +153,13 @@ impl Primitive for Prism {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        let shadow = self.shadow(ray);
+        let (shadow, slabs) = (self.shadow(ray), SlabRay::new(ray));
         for (outline, first) in self.pieces() {
-            if !self.may_meet(outline, ray, range) {
-                continue;
-            }
+            let Some([low, high]) = self.passage(outline, &slabs, range) else { continue };
             let sides = if self.caps_only { &[][..] } else { &outline.segments[..] };
             for ((segment, part), hull) in sides.iter().zip(first..).zip(&outline.hulls) {
-                if !shadow.may_meet(hull) {
+                let aside = hull[1].cmplt(low).any() || hull[0].cmpgt(high).any();
+                if aside || !shadow.may_meet(hull) {
                     continue;
                 }
                 self.sides(segment, ray, &shadow, |t, _| {

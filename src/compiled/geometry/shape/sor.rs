@@ -1,6 +1,7 @@
 //! Surfaces of revolution whose squared radius is a cubic of the height.
 
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits, spherical_uv};
+use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma, roots_in};
 use std::sync::Arc;
 
@@ -71,7 +72,7 @@ impl Primitive for Sor {
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
         let b = self.bounds();
-        if !super::super::solid::may_meet(&b, ray, range) {
+        if !SlabRay::new(ray).may_meet(&b, range) {
             return;
         }
         let near = NearRay::new(ray, b.center(), 2.0 * b.size().length());
