@@ -108,7 +108,7 @@ fn may_meet(near: &NearRay, reach: Range, [min, max]: &[DVec2; 2]) -> bool {
     let (outer, inner) = (min.x.abs().max(max.x.abs()), min.x.max(-max.x).max(0.0));
     let passes_by = distance(nearest) > outer * (1.0 + ROOT_ERROR) + slack(nearest);
     let within = |s: f64| distance(s) + slack(s) < inner * (1.0 - ROOT_ERROR);
-    !passes_by && !(within(low) && within(high))
+    !(passes_by || within(low) && within(high))
 }
 
 /// How uncertain roots of the eliminant are, in units of the curve's size, by trial with millions of rays.
