@@ -17,8 +17,6 @@ use smallvec::SmallVec;
 pub(super) struct Place<'p> {
     pub(super) path: &'p Path,
     pub(super) surface: &'p Surface,
-    /// Unit shading normal on the side of the ray.
-    pub(super) facing: DVec3,
     pub(super) context: Context,
     /// Length of the ray up to here.
     pub(super) length: f64,
@@ -29,6 +27,11 @@ impl Place<'_> {
     /// Unit direction of the ray.
     pub(super) fn direction(&self) -> DVec3 {
         self.path.ray.direction
+    }
+
+    /// Unit shading normal on the side of the ray, before any bump.
+    pub(super) fn facing(&self) -> DVec3 {
+        self.context.normal
     }
 }
 
@@ -55,7 +58,7 @@ impl Tracer<'_> {
         &mut self,
         texture: &Texture,
         point: DVec3,
-        frame: &mut Frame,
+        frame: &mut Frame<'_>,
         place: &mut Place<'_>,
         plain: bool,
     ) -> G {
@@ -87,7 +90,7 @@ impl Tracer<'_> {
         &mut self,
         layers: &[Layer],
         point: DVec3,
-        frame: &Frame,
+        frame: &Frame<'_>,
         place: &mut Place<'_>,
         plain: bool,
     ) -> G {
@@ -97,7 +100,7 @@ impl Tracer<'_> {
         let mut filter = Rgb::ONE;
         let mut found = G::default();
         let mut albedo = Rgb::ZERO;
-        let mut top_normal = place.facing;
+        let mut top_normal = place.facing();
         for (depth, layer) in layers.iter().rev().enumerate() {
             if share(filter) <= bailout {
                 break;
@@ -155,14 +158,14 @@ impl Tracer<'_> {
 
     /// A layer's normal; that of the last layer with bumps stays for patterns that ask for the slope, in
     /// whatever layer or texture of the hit they stand, as in POV-Ray.
-    fn layer_normal(&self, layer: &Layer, point: DVec3, frame: &Frame, place: &mut Place<'_>) -> DVec3 {
+    fn layer_normal(&self, layer: &Layer, point: DVec3, frame: &Frame<'_>, place: &mut Place<'_>) -> DVec3 {
         match &layer.normal {
             Some(normal) if self.options.reflection_and_normals() => {
-                let bumped = normal.perturb(place.facing, point, frame, &place.context);
+                let bumped = normal.perturb(place.facing(), point, frame, &place.context);
                 place.context.perturbed_normal = bumped.inner;
                 bumped.normal
             }
-            _ => place.facing,
+            _ => place.facing(),
         }
     }
 
@@ -185,7 +188,7 @@ impl Tracer<'_> {
 
     /// One layer's mirror image.
     fn mirror(&mut self, mirror: &Mirror<'_>, place: &Place<'_>) -> Rgb {
-        let direction = reflected(place.direction(), mirror.normal, place.facing);
+        let direction = reflected(place.direction(), mirror.normal, place.facing());
         let weight = place.path.weight * mirror.visibility * mirror.reflectivity.importance;
         let mut light = self.reflect(place, direction, weight).rgb;
         let finish = &mirror.layer.finish;

@@ -132,7 +132,7 @@ impl Tracer<'_> {
             None => {
                 let mut mirrored = self.mirrored_within(place, normal, weight);
                 if let Some(finish) = top_finish.filter(|f| f.irid_amount != 0.0) {
-                    let direction = reflected(path.ray.direction, normal, place.facing);
+                    let direction = reflected(path.ray.direction, normal, place.facing());
                     let wavelength = self.world.settings.irid_wavelength;
                     mirrored.rgb *=
                         finish::irid(finish, wavelength, place.surface.point, direction, normal, path.ray.direction);
@@ -193,7 +193,7 @@ impl Tracer<'_> {
     }
 
     fn mirrored_within(&mut self, place: &Place<'_>, normal: DVec3, weight: f32) -> Radiance {
-        let direction = reflected(place.path.ray.direction, normal, place.facing);
+        let direction = reflected(place.path.ray.direction, normal, place.facing());
         self.reflect(place, direction, weight)
     }
 

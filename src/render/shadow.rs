@@ -4,7 +4,7 @@
 
 use super::layers::Place;
 use super::ray::{Inside, Interiors};
-use super::tracer::Tracer;
+use super::tracer::{Tracer, context_at};
 use crate::compiled::geometry::{Hit, RayKind, Surface};
 use crate::compiled::light::{Area, Arrival, Light, is_dark};
 use crate::compiled::texture::{Context, Frame, Pick, Texture};
@@ -136,20 +136,17 @@ impl Tracer<'_> {
 
     /// What all textures of a surface let through.
     fn surface_transmittance(&mut self, surface: &Surface, hit: &Hit, ray: &Ray) -> Rgb {
-        let direction = ray.direction;
-        let facing = if surface.normal.dot(direction) > 0.0 { -surface.normal } else { surface.normal };
-        let mut context =
-            Context { uv: surface.uv, normal: facing, perturbed_normal: facing, direction, point: surface.point };
+        let mut context = context_at(surface, ray.direction);
         let caustics = self.world.interior(surface.interior.interior).caustics;
         let mut sum = Rgb::ZERO;
         for seen in &surface.textures {
             let texture = self.world.texture(seen.texture);
-            let (point, mut frame) = if surface.uv_mapping {
-                (context.uv_point(), Frame::default())
-            } else {
-                let texture_from_world = self.world.geometry.texture_from_world(hit, seen);
-                (texture_from_world.point(surface.point), Frame::new(&texture_from_world))
+            let texture_from_world = (!surface.uv_mapping).then(|| self.world.geometry.texture_from_world(hit, seen));
+            let point = match &texture_from_world {
+                Some(texture_from_world) => texture_from_world.point(surface.point),
+                None => context.uv_point(),
             };
+            let mut frame = Frame::new(texture_from_world.as_deref());
             let caustics = texture.top_layer().and_then(|top| top.finish.caustics).unwrap_or(caustics);
             sum += seen.weight * self.transmittance(texture, point, &mut frame, &mut context, caustics);
         }
@@ -161,7 +158,7 @@ impl Tracer<'_> {
         &self,
         texture: &Texture,
         point: DVec3,
-        frame: &mut Frame,
+        frame: &mut Frame<'_>,
         context: &mut Context,
         caustics: f64,
     ) -> Rgb {

@@ -10,7 +10,7 @@ use super::random::Random;
 use super::ray::{Inside, Interiors, Path, Radiance, Statistics};
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
-use crate::compiled::geometry::{Hit, RayKind, Scratch};
+use crate::compiled::geometry::{Hit, RayKind, Scratch, Surface};
 use crate::compiled::texture::{Context, Frame};
 use crate::math::{DVec3, Range, Ray};
 use std::rc::Rc;
@@ -151,29 +151,30 @@ impl<'w> Tracer<'w> {
     fn shade<G: Gather>(&mut self, path: &Path, hit: &Hit, found: &mut G) {
         let world = self.world;
         let surface = world.geometry.surface(&path.ray, hit);
-        let direction = path.ray.direction;
-        let facing = if surface.normal.dot(direction) > 0.0 { -surface.normal } else { surface.normal };
-        let context =
-            Context { uv: surface.uv, normal: facing, perturbed_normal: facing, direction, point: surface.point };
-        let lights = LightCache::default();
-        let mut place = Place { path, surface: &surface, facing, context, length: hit.t, lights };
+        let context = context_at(&surface, path.ray.direction);
+        let mut place = Place { path, surface: &surface, context, length: hit.t, lights: LightCache::default() };
         for seen in &surface.textures {
             if seen.weight < world.settings.adc_bailout {
                 continue;
             }
-            let texture = world.texture(seen.texture);
-            let shaded: G = if surface.uv_mapping {
-                self.shade_texture(texture, context.uv_point(), &mut Frame::default(), &mut place, true)
-            } else {
-                let texture_from_world = world.geometry.texture_from_world(hit, seen);
-                let point = texture_from_world.point(surface.point);
-                let mut frame = Frame::new(&texture_from_world);
-                self.shade_texture(texture, point, &mut frame, &mut place, true)
+            let texture_from_world = (!surface.uv_mapping).then(|| world.geometry.texture_from_world(hit, seen));
+            let point = match &texture_from_world {
+                Some(texture_from_world) => texture_from_world.point(surface.point),
+                None => place.context.uv_point(),
             };
+            let mut frame = Frame::new(texture_from_world.as_deref());
+            let texture = world.texture(seen.texture);
+            let shaded: G = self.shade_texture(texture, point, &mut frame, &mut place, true);
             found.add_scaled(&shaded, seen.weight);
         }
-        found.note_hit(&surface, hit.t, facing);
+        found.note_hit(&surface, hit.t, place.facing());
     }
+}
+
+/// What patterns may ask about a surface before any bump.
+pub(super) fn context_at(surface: &Surface, direction: DVec3) -> Context {
+    let normal = if surface.normal.dot(direction) > 0.0 { -surface.normal } else { surface.normal };
+    Context { uv: surface.uv, normal, perturbed_normal: normal, direction, point: surface.point }
 }
 
 /// What an image position gives through which the camera sends no ray.

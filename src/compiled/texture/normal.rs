@@ -76,18 +76,17 @@ const SAMPLES: [DVec3; 4] = [
 
 /// The spaces between the world and a normal statement, outermost first.
 #[derive(Clone, Debug, Default)]
-pub struct Frame {
+pub struct Frame<'o> {
     /// `inner_from_outer` linear maps of enclosing patterned textures, and whether to skip normalising.
     steps: smallvec::SmallVec<[(DMat3, bool); 4]>,
     /// What the next statement's own map is composed with: the object's transformation.
-    pending: Option<DMat3>,
+    pending: Option<&'o Transform>,
 }
 
-impl Frame {
+impl<'o> Frame<'o> {
     /// At the outermost texture of an object.
-    pub fn new(texture_from_world: &Transform) -> Self {
-        let linear = texture_from_world.linear();
-        Self { steps: smallvec::SmallVec::new(), pending: (linear != DMat3::IDENTITY).then_some(linear) }
+    pub fn new(texture_from_world: Option<&'o Transform>) -> Self {
+        Self { steps: smallvec::SmallVec::new(), pending: texture_from_world }
     }
 
     /// For items of a patterned texture.
@@ -98,7 +97,7 @@ impl Frame {
     }
 
     fn compose(&self, inner: DMat3) -> DMat3 {
-        self.pending.map_or(inner, |outer| inner * outer)
+        self.pending.map_or(inner, |outer| inner * outer.linear())
     }
 }
 
@@ -135,7 +134,7 @@ impl Normal {
     /// The perturbed normal.
     ///
     /// `point` lies in the space that contains the statement, `normal` is a unit world vector.
-    pub fn perturb(&self, normal: DVec3, point: DVec3, frame: &Frame, context: &Context) -> Bent {
+    pub fn perturb(&self, normal: DVec3, point: DVec3, frame: &Frame<'_>, context: &Context) -> Bent {
         let mut n = normal;
         for (linear, keep_length) in &frame.steps {
             n = inward(n, *linear, *keep_length);
