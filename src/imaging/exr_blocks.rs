@@ -53,7 +53,12 @@ pub(super) fn blocks(channels: &[Channel<'_>], [width, height]: [usize; 2], top:
         let block = CompressedScanLineBlock { y_coordinate: top + start as i32, compressed_pixels_le: packed };
         Chunk { layer_index: 0, compressed_block: CompressedBlock::ScanLine(block) }
     };
-    starts.par_iter().map(block).collect()
+    // A single worker would only need memory of its own.
+    if rayon::current_num_threads() > 1 {
+        starts.par_iter().map(block).collect()
+    } else {
+        starts.iter().map(block).collect()
+    }
 }
 
 /// The bytes of a block in fewer; `None` where that cannot be: then the format takes them as they are.
