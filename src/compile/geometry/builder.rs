@@ -23,7 +23,7 @@ const SHARED_WEIGHT: u64 = 6;
 
 /// Whether contents used more than once can be built once, as far as the object that holds them decides.
 pub(super) fn can_be_shared(facts: Entry, object: &Object, splits: bool) -> bool {
-    let plain = splits || (object.clipped_by.is_empty() && object.bounded_by.is_empty());
+    let plain = splits || (object.rare.clipped_by.is_empty() && object.rare.bounded_by.is_empty());
     facts.uses > 1 && facts.weight >= SHARED_WEIGHT && !facts.light_groups && plain
 }
 
@@ -141,7 +141,7 @@ impl<'a> Builder<'a> {
                     self.place_solid(object, around, items);
                 }
             }
-            _ if object.clipped_by.is_empty() && !is_bounded(object) => {
+            _ if object.rare.clipped_by.is_empty() && !is_bounded(object) => {
                 let inside = self.enter(object, around);
                 let id = self.labeler.object_id();
                 if let Some(index) = self.primitive(object, &inside, id) {
@@ -266,9 +266,10 @@ impl<'a> Builder<'a> {
         }
         // Clips and bounds stand in the space around the object and keep their own inversions.
         let clip_context = Context { group_from_parent: around.group_from_parent, ..Context::bare() };
-        node.clips = object.clipped_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
+        node.clips = object.rare.clipped_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
         if (!is_root || keeps_bounds(&object.shape)) && !object.flags.bounds_are_clips {
-            node.bounded_by = object.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
+            node.bounded_by =
+                object.rare.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
         }
         for clip in &node.clips {
             let clip = &self.geometry.nodes[*clip as usize];
@@ -412,7 +413,7 @@ fn keeps_bounds(shape: &Shape) -> bool {
 
 /// Whether bounds hide something of a primitive at frame level.
 fn is_bounded(object: &Object) -> bool {
-    let has_bounds = !object.bounded_by.is_empty() && !object.flags.bounds_are_clips;
+    let has_bounds = !object.rare.bounded_by.is_empty() && !object.flags.bounds_are_clips;
     has_bounds && (keeps_bounds(&object.shape) || super::extent::shrunken(object).is_some())
 }
 

@@ -81,7 +81,7 @@ impl Builder<'_> {
     /// `group_from_parent` becomes that of the object's contents.
     pub(super) fn enter(&mut self, object: &Object, around: &Context) -> Context {
         let flags = &object.flags;
-        let lacks_one = object.texture.is_none() || object.interior_texture.is_none();
+        let lacks_one = object.texture.is_none() || object.rare.interior_texture.is_none();
         let uv_mapping = flags.uv_mapping || (around.uv_mapping && lacks_one);
         let place = &around.group_from_parent;
         let hollow = flags.hollow.or(around.hollow);
@@ -89,7 +89,7 @@ impl Builder<'_> {
             placed.as_ref().map(|p| builder.placement(p, place, flags.uv_mapping))
         };
         let texture = own(self, &object.texture);
-        let interior_texture = own(self, &object.interior_texture);
+        let interior_texture = own(self, &object.rare.interior_texture);
         let interior = object.interior.as_ref().map(|i| {
             let is_hollow = last_hollow(object, around.hollow);
             self.interior(Arc::clone(i), is_hollow)
