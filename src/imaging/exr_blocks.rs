@@ -5,8 +5,9 @@
 //! line blocks; its technical introduction, ZIP.
 
 use exr::block::chunk::{Chunk, CompressedBlock, CompressedScanLineBlock};
-use exr::prelude::{Text, f16};
+use exr::prelude::Text;
 use flate2::{Compress, Compression, FlushCompress};
+use half::f16;
 use rayon::prelude::*;
 use std::borrow::Cow;
 

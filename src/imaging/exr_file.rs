@@ -10,8 +10,9 @@ use exr::block::writer::ChunksWriter as _;
 use exr::meta::BlockDescription;
 use exr::meta::attribute::{ChannelDescription, LineOrder, SampleType};
 use exr::meta::header::{Header, ImageAttributes};
-use exr::prelude::{Compression, IntegerBounds, LayerAttributes, Text, Vec2, attribute::AttributeValue, f16};
+use exr::prelude::{Compression, IntegerBounds, LayerAttributes, Text, Vec2, attribute::AttributeValue};
 use exr::prelude::{ReadChannels, ReadLayers};
+use half::vec::HalfFloatVecExt as _;
 use std::io::Cursor;
 use std::path::Path;
 
@@ -52,9 +53,8 @@ fn channels(picture: &Picture, float: bool) -> Vec<Channel<'_>> {
     let mut channels = Vec::new();
     let names = if picture.has_alpha { &["R", "G", "B", "A"][..] } else { &["R", "G", "B"] };
     for (i, &name) in names.iter().enumerate() {
-        let values = picture.pixels.iter().map(|p| p[i]);
-        let samples =
-            if float { Samples::Float(values.collect()) } else { Samples::Half(values.map(f16::from_f32).collect()) };
+        let values: Vec<f32> = picture.pixels.iter().map(|p| p[i]).collect();
+        let samples = if float { Samples::Float(values.into()) } else { Samples::Half(Vec::from_f32_slice(&values)) };
         channels.push(Channel { name: Text::from(name), samples });
     }
     for layer in &picture.layers {

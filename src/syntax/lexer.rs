@@ -4,6 +4,7 @@
 //! two together. A file is read in pieces, each when the evaluator gets there: a file of 100 MB never stands in
 //! memory as tokens.
 
+use super::numbers::number;
 use super::vectors::{run_end, skip_blanks};
 use super::{Directive, Keyword, Malformed, Names, Token, TokenKind};
 use crate::diag::{FileId, Span};
@@ -225,7 +226,8 @@ fn end_of(text: &[u8], mut at: usize, belong: impl Fn(u8) -> bool) -> usize {
 /// The token of a matched rule.
 fn kind(rule: Rule, text: &[u8], names: &mut Names) -> Option<TokenKind> {
     Some(match rule {
-        Rule::number => TokenKind::Number(number(text)),
+        // An exponent without digits counts as none.
+        Rule::number => TokenKind::Number(number(text).map_or(0.0, |(value, _)| value)),
         Rule::word => word(text, names),
         Rule::directive => {
             let name = text.rsplit(|b| !is_word(*b)).next().unwrap_or_default();
@@ -254,11 +256,6 @@ fn word(text: &[u8], names: &mut Names) -> TokenKind {
         // Words are letters, digits and underscores.
         None => TokenKind::Name(names.intern(std::str::from_utf8(text).unwrap_or_default())),
     }
-}
-
-/// The value of a number; an exponent without digits counts as none. Too large is infinite.
-fn number(text: &[u8]) -> f64 {
-    fast_float2::parse_partial::<f64, _>(text).map_or(0.0, |(value, _)| value)
 }
 
 #[cfg(test)]

@@ -25,6 +25,7 @@ mod keyword;
 mod lexer;
 mod memo;
 mod names;
+mod numbers;
 mod source;
 mod token;
 pub mod vectors;
