@@ -52,6 +52,12 @@ impl Interval {
         Self::new(low - (low.abs() * error + f64::MIN_POSITIVE), high + (high.abs() * error + f64::MIN_POSITIVE))
     }
 
+    /// Bounds that were added up. Sums do not underflow, so that one of numbers that are not negative stays so.
+    #[inline]
+    fn sum(low: f64, high: f64) -> Self {
+        Self::new(low - low.abs() * ROUNDING, high + high.abs() * ROUNDING)
+    }
+
     /// Around several numbers, each rounded; whole if any is none.
     fn around(values: [f64; 4], error: f64) -> Self {
         if values.iter().any(|v| v.is_nan()) {
@@ -252,7 +258,7 @@ impl Add for Interval {
     type Output = Self;
     #[inline]
     fn add(self, o: Self) -> Self {
-        Self::rounded(self.low + o.low, self.high + o.high, ROUNDING)
+        Self::sum(self.low + o.low, self.high + o.high)
     }
 }
 
@@ -260,7 +266,7 @@ impl Sub for Interval {
     type Output = Self;
     #[inline]
     fn sub(self, o: Self) -> Self {
-        Self::rounded(self.low - o.high, self.high - o.low, ROUNDING)
+        Self::sum(self.low - o.high, self.high - o.low)
     }
 }
 

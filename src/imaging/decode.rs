@@ -129,7 +129,8 @@ fn indices_of(rgba: &[[f32; 4]], entries: impl Iterator<Item = [u8; 4]>) -> Vec<
     for (i, entry) in entries.enumerate().take(256) {
         table.entry(entry).or_insert(i as u8);
     }
-    let bytes = |p: &[f32; 4]| p.map(|v| (v * 255.0).round() as u8);
+    // Bytes over 255, which rounding has moved by less than half a step.
+    let bytes = |p: &[f32; 4]| p.map(|v| (v * 255.0 + 0.5) as u8);
     let find = |p: &[f32; 4]| {
         let [r, g, b, a] = bytes(p);
         table.get(&[r, g, b, a]).or_else(|| table.get(&[r, g, b, 255])).copied().unwrap_or(0)

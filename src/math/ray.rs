@@ -39,6 +39,13 @@ pub struct Range {
 impl Range {
     /// Everything in front of the origin.
     pub const FORWARD: Self = Self { min: 0.0, max: f64::INFINITY };
+    /// Nothing at all.
+    pub const EMPTY: Self = Self { min: f64::INFINITY, max: f64::NEG_INFINITY };
+
+    /// Whether the ends are in the wrong order; an interval between neighbours may still hold nothing.
+    pub fn is_empty(&self) -> bool {
+        self.min > self.max
+    }
 
     /// Whether `t` lies strictly inside; false for NaN.
     pub fn contains(&self, t: f64) -> bool {

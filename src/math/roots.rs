@@ -37,6 +37,7 @@ fn two_product(x: f64, y: f64) -> (f64, f64) {
 /// b² - ac, to nearly full precision also where the two nearly cancel.
 ///
 /// Source: Kahan, On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic, 2004.
+#[inline]
 pub fn discriminant(a: f64, b: f64, c: f64) -> f64 {
     let (p, q) = (b * b, a * c);
     let d = p - q;
@@ -54,6 +55,7 @@ pub fn discriminant(a: f64, b: f64, c: f64) -> f64 {
 ///
 /// `None` without real roots, or when `a` and `b` vanish.
 /// Source: Press et al., Numerical Recipes, section 5.6.
+#[inline]
 pub fn quadratic_roots(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
     let half = 0.5 * b;
     let d = discriminant(a, half, c);
@@ -71,20 +73,22 @@ pub fn quadratic_roots(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
 }
 
 /// Value and slope at `t`; coefficients rise with the power.
+#[inline]
 fn horner(coefficients: &[f64], t: f64) -> (f64, f64) {
     coefficients.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * t + c, slope * t + value))
 }
 
-/// Bernstein coefficients of a polynomial over one interval, in units of the original parameter.
+/// Bernstein coefficients of a polynomial over one interval, in units of the original parameter, with room for `N`.
 #[derive(Clone, Copy)]
-struct Piece {
-    b: [f64; MAX_DEGREE + 1],
+struct Piece<const N: usize> {
+    b: [f64; N],
     low: f64,
     high: f64,
 }
 
-impl Piece {
+impl<const N: usize> Piece<N> {
     /// How often the coefficients change sign: as many roots inside, or fewer by an even number.
+    #[inline(always)]
     fn sign_changes(&self, n: usize) -> u32 {
         let mut changes = 0;
         let mut last = 0.0;
@@ -98,6 +102,7 @@ impl Piece {
     }
 
     /// Halves the interval. Source: de Casteljau's algorithm.
+    #[inline(always)]
     fn split(&self, n: usize) -> (Self, Self) {
         let middle = 0.5 * self.low + 0.5 * self.high;
         let mut left = Self { high: middle, ..*self };
@@ -126,16 +131,23 @@ pub fn roots_in(coefficients: &[f64], low: f64, high: f64) -> Roots {
         0 => {}
         1 => roots.push(-coefficients[0] / coefficients[1]),
         2 => roots.extend(quadratic_roots(coefficients[2], coefficients[1], coefficients[0]).into_iter().flatten()),
-        _ => isolate(&coefficients[..=n], low, high, &mut roots),
+        // The degrees of most shapes, for each of which there is a program of its own.
+        3 => isolate::<4>(coefficients, 3, low, high, &mut roots),
+        4 => isolate::<5>(coefficients, 4, low, high, &mut roots),
+        5 => isolate::<6>(coefficients, 5, low, high, &mut roots),
+        6 => isolate::<7>(coefficients, 6, low, high, &mut roots),
+        _ => isolate::<{ MAX_DEGREE + 1 }>(coefficients, n, low, high, &mut roots),
     }
     roots.retain(|t| low <= *t && *t <= high);
     roots
 }
 
-/// Subdivides until each piece holds no root or one.
-fn isolate(coefficients: &[f64], low: f64, high: f64, roots: &mut Roots) {
-    let n = coefficients.len() - 1;
-    let whole = Piece { b: bernstein(coefficients, low, high), low, high };
+/// Subdivides until each piece holds no root or one. The degree `n` is less than `N`.
+// Always inline, so that the degree is a constant.
+#[inline(always)]
+fn isolate<const N: usize>(coefficients: &[f64], n: usize, low: f64, high: f64, roots: &mut Roots) {
+    let coefficients = &coefficients[..=n];
+    let whole = Piece::<N> { b: bernstein(coefficients, n, low, high), low, high };
     let scale = whole.b[..=n].iter().fold(0.0, |m: f64, b| m.max(b.abs()));
     if !scale.is_finite() {
         return;
@@ -143,7 +155,7 @@ fn isolate(coefficients: &[f64], low: f64, high: f64, roots: &mut Roots) {
     // Conversion and halving are convex combinations: n roundings each, of numbers up to `scale`.
     let noise = gamma(4 * n as u32 + 4) * scale;
     // 53 halvings reach neighbouring numbers; each level leaves one piece waiting.
-    let mut waiting: SmallVec<[Piece; 2]> = SmallVec::new();
+    let mut waiting: SmallVec<[Piece<N>; 2]> = SmallVec::new();
     waiting.push(whole);
     let mut contact_end = f64::NEG_INFINITY;
     while let Some(piece) = waiting.pop() {
@@ -190,9 +202,9 @@ fn might_touch(b: &[f64], noise: f64) -> bool {
 }
 
 /// Bernstein coefficients over [low, high] from powers.
-fn bernstein(coefficients: &[f64], low: f64, high: f64) -> [f64; MAX_DEGREE + 1] {
-    let n = coefficients.len() - 1;
-    let mut b = [0.0; MAX_DEGREE + 1];
+#[inline(always)]
+fn bernstein<const N: usize>(coefficients: &[f64], n: usize, low: f64, high: f64) -> [f64; N] {
+    let mut b = [0.0; N];
     b[..=n].copy_from_slice(coefficients);
     // Taylor shift to `low`, then scale to the unit interval.
     for i in 0..n {
@@ -223,6 +235,7 @@ fn bernstein(coefficients: &[f64], low: f64, high: f64) -> [f64; MAX_DEGREE + 1]
 /// The one root between `low` and `high`: Newton's method, kept inside a shrinking bracket.
 ///
 /// Source: Press et al., Numerical Recipes, section 9.4 (`rtsafe`).
+#[inline(always)]
 fn polish(coefficients: &[f64], mut low: f64, mut high: f64) -> f64 {
     let rising = horner(coefficients, high).0 > horner(coefficients, low).0;
     let mut t = 0.5 * low + 0.5 * high;

@@ -379,8 +379,14 @@ impl<'a> Builder<'a> {
         }
         let boxes = |f: fn(&Node) -> Bounds| built.iter().map(|n| f(&nodes[*n as usize])).collect::<Vec<_>>();
         let says = boxes(if compiled == Operation::Intersection { |n| n.gap } else { |n| n.extent });
+        let confines = |i: &u32| self.geometry.confines(built[*i as usize]);
+        let confining = match compiled {
+            Operation::Intersection => (0..built.len() as u32).filter(confines).collect(),
+            Operation::Union | Operation::Merge => Box::default(),
+        };
         node.kind = NodeKind::Csg {
             operation: compiled,
+            confining,
             parts: Parts::new(&boxes(|n| n.bounds), &says),
             children: built.into(),
             is_difference: operation == CsgOperation::Difference && !inside.inverse,

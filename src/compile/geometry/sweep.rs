@@ -72,7 +72,7 @@ pub(super) fn lathe(spline: SweepSpline, p: &[DVec2]) -> Compiled {
         SweepSpline::Bezier => p.chunks_exact(4).map(|w| Segment::bezier([w[0], w[1], w[2], w[3]])).collect(),
         _ => p.windows(4).map(|w| Segment::cubic([w[0], w[1], w[2], w[3]])).collect(),
     };
-    Compiled::Lathe(Lathe { segments: segments.into() })
+    Compiled::Lathe(Lathe::new(segments))
 }
 
 /// A surface of revolution; the first and last point only steer.
@@ -87,7 +87,7 @@ pub(super) fn sor(points: &[DVec2], open: bool) -> Compiled {
         let c3 = (2.0 * (r1 - r2) / h + s1 + s2) / (h * h);
         SorSegment { low: w[1].y, high: w[2].y, squared: [r1, s1, c2, c3] }
     };
-    Compiled::Sor(Sor { segments: points.windows(4).map(piece).collect(), open })
+    Compiled::Sor(Sor::new(points.windows(4).map(piece).collect(), open))
 }
 
 /// A sphere sweep; centre and radius follow the same curve.

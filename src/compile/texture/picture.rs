@@ -105,6 +105,33 @@ impl Curve {
     }
 }
 
+/// A curve with the values that it gave last: pictures have few different ones, and powers are slow.
+struct Memo<'a> {
+    curve: &'a Curve,
+    /// What a value became, at a place that its bits choose.
+    known: Vec<(f32, f32)>,
+}
+
+impl<'a> Memo<'a> {
+    /// Room for the values of 8 bits without many meeting in one place.
+    const PLACES: u32 = 4096;
+
+    fn new(curve: &'a Curve) -> Self {
+        Self { curve, known: vec![(0.0, curve.apply(0.0)); Self::PLACES as usize] }
+    }
+
+    fn apply(&mut self, v: f32) -> f32 {
+        /// Source of the multiplier: Knuth, The Art of Computer Programming, volume 3, section 6.4.
+        const GOLDEN: u32 = 0x9e37_79b1;
+        let place = v.to_bits().wrapping_mul(GOLDEN) >> (u32::BITS - Self::PLACES.ilog2());
+        let known = &mut self.known[place as usize];
+        if known.0.to_bits() != v.to_bits() {
+            *known = (v, self.curve.apply(v));
+        }
+        known.1
+    }
+}
+
 /// Power laws within 1 % of 1 are the identity, as in POV-Ray.
 fn power(v: f32, gamma: f64) -> f32 {
     if (gamma - 1.0).abs() < 0.01 { v } else { f64::from(v.max(0.0)).powf(gamma) as f32 }
@@ -137,6 +164,7 @@ fn color_curve(image: &scene::Image, format: ImageFormat, pixels: &Pixels, mode:
 fn to_raster(pixels: &Pixels, curve: &Curve, premultiplied: Option<bool>) -> Raster {
     // Grey of up to 8 bits is stored in 8 bits again after decoding, as in POV-Ray.
     let requantised = |v: f32| ((255.0 * (0.297 * v + 0.589 * v + 0.114 * v)) as u32 as f32) / 255.0;
+    let mut curve = Memo::new(curve);
     let convert = |p: &[f32; 4]| {
         let mut rgb = [0, 1, 2].map(|i| curve.apply(p[i]));
         if pixels.grey8 {

@@ -184,6 +184,8 @@ pub(crate) enum NodeKind {
         children: Box<[u32]>,
         /// Written as `difference`: cut faces take the texture of the first child alone.
         is_difference: bool,
+        /// Of an intersection, positions of the children that contain nothing outside some stretch of a ray.
+        confining: Box<[u32]>,
         /// Finds children where there are many.
         parts: Option<Box<Parts>>,
     },
@@ -216,6 +218,7 @@ impl Node {
                 operation: Operation::Union,
                 children: Box::default(),
                 is_difference: false,
+                confining: Box::default(),
                 parts: None,
             },
             bounds: Bounds::EMPTY,

@@ -16,7 +16,9 @@ mod inside;
 mod parts;
 mod record;
 mod shape;
+mod slab;
 mod solid;
+mod span;
 mod surface;
 mod walk;
 

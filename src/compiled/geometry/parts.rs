@@ -4,14 +4,14 @@
 //! whether it is inside. Both get positions in the list of children.
 
 use super::bvh::{Box32, Bvh};
-use super::solid::may_meet;
+use super::slab::SlabRay;
 use crate::math::{Bounds, DVec3, Range, Ray};
 use rayon::prelude::*;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// With fewer children, going through all of them is faster.
-const WORTH_A_TREE: usize = 8;
+pub(super) const WORTH_A_TREE: usize = 8;
 
 /// Items in a leaf: a child's own box is tested again.
 const LEAF_SIZE: usize = 2;
@@ -33,37 +33,22 @@ impl Parts {
     }
 
     /// Children whose surfaces the ray may meet, in their order.
-    pub(super) fn met_by(&self, ray: &Ray, range: Range) -> SmallVec<[u32; 16]> {
-        let mut met: SmallVec<[u32; 16]> = self.surfaces.unbounded.iter().copied().collect();
-        if may_meet(&self.surfaces.hull, ray, range) {
-            let _: ControlFlow<()> = self.surfaces.bvh.walk(ray, range, |run, _| {
-                met.extend_from_slice(&self.surfaces.order[run]);
-                ControlFlow::Continue(())
-            });
-        }
-        met.sort_unstable();
-        met
+    pub(super) fn met_by(&self, ray: &Ray, range: Range) -> Positions {
+        self.surfaces.met_by(ray, range)
     }
 
     /// Whether a test holds for every child that has a say about a point.
-    pub(super) fn all_at(&self, point: DVec3, mut test: impl FnMut(usize) -> bool) -> bool {
-        let says = &self.says;
-        let mut holds = |children: &[u32]| children.iter().all(|child| test(*child as usize));
-        holds(&says.unbounded)
-            && (!says.hull.contains(point)
-                || says
-                    .bvh
-                    .at(
-                        point,
-                        |run| if holds(&says.order[run]) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) },
-                    )
-                    .is_continue())
+    pub(super) fn all_at(&self, point: DVec3, test: impl FnMut(usize) -> bool) -> bool {
+        self.says.all_at(point, test)
     }
 }
 
+/// Positions in a list, rising.
+pub(super) type Positions = SmallVec<[u32; 16]>;
+
 /// Boxes in a hierarchy, and what has none.
 #[derive(Clone, Debug)]
-struct Tree {
+pub(super) struct Tree {
     bvh: Bvh,
     /// Position of each box in the order of the hierarchy.
     order: Vec<u32>,
@@ -72,12 +57,45 @@ struct Tree {
 }
 
 impl Tree {
-    fn new(boxes: &[Bounds]) -> Self {
+    /// Over boxes; empty ones are left out.
+    pub(super) fn new(boxes: &[Bounds]) -> Self {
         let numbers = 0..boxes.len() as u32;
         let occupied = numbers.filter(|i| !boxes[*i as usize].is_empty());
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) = occupied.partition(|i| boxes[*i as usize].is_finite());
         let (bvh, order) = Bvh::build(bounded.par_iter().map(|i| Box32::from(&boxes[*i as usize])), LEAF_SIZE);
         let hull = bounded.iter().fold(Bounds::EMPTY, |sum, i| sum.union(&boxes[*i as usize]));
         Self { bvh, order: order.iter().map(|i| bounded[*i as usize]).collect(), unbounded, hull }
+    }
+
+    /// Boxes that the ray may meet, in their order.
+    pub(super) fn met_by(&self, ray: &Ray, range: Range) -> Positions {
+        let mut met: Positions = self.unbounded.iter().copied().collect();
+        if SlabRay::new(ray).may_meet(&self.hull, range) {
+            let _: ControlFlow<()> = self.bvh.walk(ray, range, |run, _| {
+                met.extend_from_slice(&self.order[run]);
+                ControlFlow::Continue(())
+            });
+        }
+        met.sort_unstable();
+        met
+    }
+
+    /// Boxes that hold the point, in their order.
+    pub(super) fn around(&self, point: DVec3) -> Positions {
+        let mut found = Positions::new();
+        self.all_at(point, |i| {
+            found.push(i as u32);
+            true
+        });
+        found.sort_unstable();
+        found
+    }
+
+    /// Whether a test holds for every box that holds a point.
+    fn all_at(&self, point: DVec3, mut test: impl FnMut(usize) -> bool) -> bool {
+        let mut holds = |run: &[u32]| run.iter().all(|i| test(*i as usize));
+        let flow = |holds: bool| if holds { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+        holds(&self.unbounded)
+            && (!self.hull.contains(point) || self.bvh.at(point, |run| flow(holds(&self.order[run]))).is_continue())
     }
 }

@@ -9,7 +9,9 @@ use super::Geometry;
 use super::graph::{Item, Node, NodeKind, Operation, Skips};
 use super::record::RayKind;
 use super::shape::{Primitive as _, ShapeHits};
-use crate::math::{Bounds, DVec3, Range, Ray, gamma};
+use super::slab::SlabRay;
+use super::span::Confines;
+use crate::math::{DVec3, Range, Ray};
 
 /// A crossing on its way up.
 #[derive(Clone, Copy, Debug)]
@@ -29,25 +31,6 @@ pub struct Scratch {
     pub(super) blockers: Vec<Option<Item>>,
 }
 
-/// Whether a ray may meet a box within a range; errs on the side of yes.
-pub(crate) fn may_meet(b: &Bounds, ray: &Ray, range: Range) -> bool {
-    let (mut low, mut high) = (range.min, range.max);
-    for axis in 0..3 {
-        let (o, d) = (ray.origin[axis], ray.direction[axis]);
-        if d == 0.0 {
-            if o < b.min[axis] || o > b.max[axis] {
-                return false;
-            }
-            continue;
-        }
-        let (t0, t1) = ((b.min[axis] - o) / d, (b.max[axis] - o) / d);
-        // NaN, from infinite bounds, leaves the interval as it is.
-        low = low.max(t0.min(t1));
-        high = high.min(t0.max(t1) * (1.0 + gamma(8)));
-    }
-    low <= high
-}
-
 impl Geometry {
     /// The nearest surviving crossing of a solid; of equal ones the last recorded.
     pub(super) fn solid_nearest(
@@ -59,31 +42,51 @@ impl Geometry {
         scratch: &mut Scratch,
     ) -> Option<Crossing> {
         scratch.crossings.clear();
-        self.crossings(root, ray, range, kind, true, scratch);
+        self.crossings(root, &SlabRay::new(ray), range, kind, true, scratch);
         scratch.crossings.iter().copied().reduce(|best, c| if c.t <= best.t { c } else { best })
     }
 
     /// Appends what survives of a node's crossings, in the order in which POV-Ray records them.
-    fn crossings(&self, index: u32, ray: &Ray, range: Range, kind: RayKind, is_root: bool, scratch: &mut Scratch) {
+    fn crossings(
+        &self,
+        index: u32,
+        ray: &SlabRay<'_>,
+        range: Range,
+        kind: RayKind,
+        is_root: bool,
+        scratch: &mut Scratch,
+    ) {
         let node = &self.nodes[index as usize];
-        if !may_meet(&node.bounds, ray, range) || !self.passes_bounds(node, ray, scratch) {
+        if !ray.may_meet(&node.bounds, range) || !self.passes_bounds(node, ray, scratch) {
             return;
         }
         let start = scratch.crossings.len();
         let mut reverses = !node.clips.is_empty();
         match &node.kind {
-            NodeKind::Primitive(p) => self.primitive_crossings(*p, ray, range, scratch),
-            NodeKind::Csg { operation, children, parts, .. } => {
+            NodeKind::Primitive(p) => self.primitive_crossings(*p, ray.ray, range, scratch),
+            NodeKind::Csg { operation, children, parts, confining, .. } => {
                 reverses |= *operation != Operation::Union;
-                let mut child = |i: usize| self.child_crossings(node, i, ray, range, kind, scratch);
+                let mut confines = Confines::new(range);
+                for i in confining {
+                    confines.confine(*i, self.span(children[*i as usize], ray, range));
+                }
+                if confines.leaves_nothing() {
+                    return;
+                }
+                let mut child = |i: u32| {
+                    if let Some(range) = confines.left_to(i) {
+                        self.child_crossings(node, i as usize, ray, range, kind, scratch);
+                    }
+                };
                 match parts {
-                    Some(parts) => parts.met_by(ray, range).iter().for_each(|i| child(*i as usize)),
-                    None => (0..children.len()).for_each(child),
+                    Some(parts) => parts.met_by(ray.ray, range).iter().for_each(|i| child(*i)),
+                    None => (0..children.len() as u32).for_each(child),
                 }
             }
         }
         if !node.clips.is_empty() {
-            retain(&mut scratch.crossings, start, |c| node.clips.iter().all(|n| self.node_contains(*n, ray.at(c.t))));
+            let point = |c: &Crossing| ray.ray.at(c.t);
+            retain(&mut scratch.crossings, start, |c| node.clips.iter().all(|n| self.node_contains(*n, point(c))));
         }
         if reverses && !(is_root && scratch.crossings.len() < 2) {
             scratch.crossings[start..].reverse();
@@ -91,7 +94,15 @@ impl Geometry {
     }
 
     /// Appends what a node's operation leaves of the crossings of one child.
-    fn child_crossings(&self, node: &Node, i: usize, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch) {
+    fn child_crossings(
+        &self,
+        node: &Node,
+        i: usize,
+        ray: &SlabRay<'_>,
+        range: Range,
+        kind: RayKind,
+        scratch: &mut Scratch,
+    ) {
         let NodeKind::Csg { operation, children, parts, .. } = &node.kind else { return };
         if self.hides(*operation, children[i], kind) {
             return;
@@ -102,7 +113,7 @@ impl Geometry {
             return;
         }
         retain(&mut scratch.crossings, first, |c| {
-            let point = ray.at(c.t);
+            let point = ray.ray.at(c.t);
             let leaves = |other: usize| other == i || self.leaves(*operation, children[other], point, kind);
             match parts {
                 Some(parts) => parts.all_at(point, leaves),
@@ -145,10 +156,10 @@ impl Geometry {
     }
 
     /// Whether the ray meets, or starts in, everything that bounds the node.
-    fn passes_bounds(&self, node: &Node, ray: &Ray, scratch: &mut Scratch) -> bool {
+    fn passes_bounds(&self, node: &Node, ray: &SlabRay<'_>, scratch: &mut Scratch) -> bool {
         node.bounded_by.iter().all(|bound| {
             let start = scratch.crossings.len();
-            let meets = self.node_contains(*bound, ray.origin) || {
+            let meets = self.node_contains(*bound, ray.ray.origin) || {
                 self.crossings(*bound, ray, Range::FORWARD, RayKind::Refracted, false, scratch);
                 scratch.crossings.len() > start
             };

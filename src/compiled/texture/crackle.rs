@@ -5,6 +5,9 @@
 use crate::math::noise::{NoiseGenerator, lattice_hash, noise, permuted};
 use crate::math::{DVec3, MersenneTwister, floor};
 use std::sync::LazyLock;
+use touching::Share;
+
+mod touching;
 
 /// POV-Ray's offset at the borders of cells.
 const CELL_OFFSET: f64 = 1e-10;
@@ -94,45 +97,67 @@ pub(super) fn nearest(p: DVec3, metric: Metric) -> DVec3 {
 
 /// Finds the `wanted` nearest points, 1 to 3.
 fn search(p: DVec3, metric: Metric, wanted: usize) -> Nearest {
+    let corner = DVec3::from((p - CELL_OFFSET).to_array().map(floor));
+    let none = Nearest { point: corner, powers: [f64::INFINITY; 3] };
+    let search = Search { p, corner, wanted };
     match metric {
-        Metric::Power(2.0) => search_by(p, |d| d * d, true, wanted),
-        Metric::Power(1.0) => search_by(p, f64::abs, true, wanted),
-        Metric::Power(m) => search_by(p, |d| d.abs().powf(m), true, wanted),
-        Metric::SignedSum => search_by(p, |d| d, false, wanted),
+        Metric::Power(2.0) => search.beyond(|d| d * d, touching::nearest(p, corner, Share::Square)),
+        Metric::Power(1.0) => search.beyond(f64::abs, touching::nearest(p, corner, Share::Absolute)),
+        Metric::Power(m) => {
+            let share = |d: f64| d.abs().powf(m);
+            search.beyond(share, search.among(&NEIGHBOURS[..TOUCHING], share, true, none))
+        }
+        Metric::SignedSum => search.among(&NEIGHBOURS, |d| d, false, none),
     }
 }
 
-/// Searches the cube of `p` and its neighbours. A coordinate's difference adds its `share` to the power of a
-/// distance; where shares `grow` with the difference, cubes that are too far away are not opened.
-#[inline]
-fn search_by(p: DVec3, share: impl Fn(f64) -> f64, grow: bool, wanted: usize) -> Nearest {
-    const OFFSETS: [f64; 5] = [-2.0, -1.0, 0.0, 1.0, 2.0];
-    let corner = (p - CELL_OFFSET).to_array().map(floor);
-    // By axis: corners of the five slabs of cubes, their lattice coordinates, and what they are away, at least.
-    let corners = corner.map(|c| OFFSETS.map(|offset| c + offset));
-    let lattice = corner.map(|c| [-2, -1, 0, 1, 2].map(|offset| (c as i64 + offset) as usize));
-    let hashes = lattice[0].map(permuted);
-    let slab = |offset: f64, inside: f64| (offset - inside).max(inside - offset - 1.0).max(0.0);
-    let least = (p - DVec3::from(corner))
-        .to_array()
-        .map(|inside| OFFSETS.map(|offset| if grow { share(slab(offset, inside)) } else { f64::NEG_INFINITY }));
-    let random = &*RANDOM;
-    let mut near = Nearest { point: DVec3::from(corner), powers: [f64::INFINITY; 3] };
-    let (touching, beyond) = NEIGHBOURS.split_at(TOUCHING);
-    let beyond_is_away = least.iter().map(|axis| axis[0].min(axis[4])).fold(f64::INFINITY, f64::min);
-    for (offsets, away) in [(touching, f64::NEG_INFINITY), (beyond, beyond_is_away)] {
-        if away > near.powers[wanted - 1] {
-            break;
+/// A search in the cubes around a point.
+struct Search {
+    p: DVec3,
+    /// Of the cube that holds the point.
+    corner: DVec3,
+    wanted: usize,
+}
+
+impl Search {
+    /// How far a slab of cubes is away from a coordinate inside the middle one, at least.
+    fn slab(offset: f64, inside: f64) -> f64 {
+        (offset - inside).max(inside - offset - 1.0).max(0.0)
+    }
+
+    /// Goes on to the cubes that do not touch that of the point, where they may be near enough.
+    #[inline]
+    fn beyond(&self, share: impl Fn(f64) -> f64, near: Nearest) -> Nearest {
+        let inside = self.p - self.corner;
+        let away = inside.to_array().map(|x| Self::slab(-2.0, x).min(Self::slab(2.0, x)));
+        if share(away[0].min(away[1]).min(away[2])) > near.powers[self.wanted - 1] {
+            return near;
         }
+        self.among(&NEIGHBOURS[TOUCHING..], share, true, near)
+    }
+
+    /// Searches some cubes. A coordinate's difference adds its `share` to the power of a distance; where shares
+    /// `grow` with the difference, cubes that are too far away are not opened.
+    fn among(&self, offsets: &[[u8; 3]], share: impl Fn(f64) -> f64, grow: bool, mut near: Nearest) -> Nearest {
+        const OFFSETS: [f64; 5] = [-2.0, -1.0, 0.0, 1.0, 2.0];
+        let corner = self.corner.to_array();
+        // By axis: corners of the five slabs of cubes, their lattice coordinates, and what they are away, at least.
+        let corners = corner.map(|c| OFFSETS.map(|offset| c + offset));
+        let lattice = corner.map(|c| [-2, -1, 0, 1, 2].map(|offset| (c as i64 + offset) as usize));
+        let hashes = lattice[0].map(permuted);
+        let least = (self.p - self.corner).to_array().map(|inside| {
+            OFFSETS.map(|offset| if grow { share(Self::slab(offset, inside)) } else { f64::NEG_INFINITY })
+        });
+        let random = &*RANDOM;
         for offset in offsets {
             let [i, j, k] = offset.map(|o| usize::from(o) % 5);
-            if least[0][i] + least[1][j] + least[2][k] > near.powers[wanted - 1] {
+            if least[0][i] + least[1][j] + least[2][k] > near.powers[self.wanted - 1] {
                 continue;
             }
             let hash = permuted(permuted(hashes[i] ^ lattice[1][j]) ^ lattice[2][k]) % 4096;
             let cube = DVec3::new(corners[0][i], corners[1][j], corners[2][k]);
             let point = cube + DVec3::new(random[hash], random[hash + 1], random[hash + 2]);
-            let d = point - p;
+            let d = point - self.p;
             let power = share(d.x) + share(d.y) + share(d.z);
             let [first, second, third] = near.powers;
             if power < first {
@@ -143,6 +168,6 @@ fn search_by(p: DVec3, share: impl Fn(f64) -> f64, grow: bool, wanted: usize) ->
                 near.powers[2] = power;
             }
         }
+        near
     }
-    near
 }

@@ -45,6 +45,10 @@ fn mul(a: DVec2, b: DVec2) -> DVec2 {
     DVec2::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
 }
 
+fn square(z: DVec2) -> DVec2 {
+    DVec2::new(z.x * z.x - z.y * z.y, (z.x + z.x) * z.y)
+}
+
 fn div(a: DVec2, b: DVec2) -> DVec2 {
     mul(a, DVec2::new(b.x, -b.y)) / b.length_squared()
 }
@@ -66,36 +70,89 @@ fn magnet(model: u8, z: DVec2, c: DVec2) -> DVec2 {
     mul(quotient, quotient)
 }
 
+/// Bound of the Mandelbrot and Julia sets.
+fn leaves_disc(z: DVec2) -> bool {
+    z.length_squared() > 4.0
+}
+
+/// Bounds of the two attractors of the magnetic models, infinity and 1.
+fn is_attracted(z: DVec2) -> bool {
+    z.length_squared() > 10_000.0 || (z - DVec2::X).length_squared() < 1e-4
+}
+
+/// How an orbit ended.
+struct Orbit {
+    /// The last point.
+    end: DVec2,
+    /// The step that escaped.
+    escape: Option<u32>,
+    /// Smallest squared length on the way.
+    smallest: f64,
+}
+
+impl Orbit {
+    /// Follows a point for `n` steps or until it escapes; `smallest` counts as its own squared length.
+    ///
+    /// Points that stay are mostly drawn into a cycle, and by the finite number of digits soon repeat to the last
+    /// of them: of all steps that remain only a part of the cycle has to be gone.
+    /// Source: Brent, An Improved Monte Carlo Factorization Algorithm, 1980, section 2.
+    #[inline]
+    fn follow(
+        mut z: DVec2,
+        mut smallest: f64,
+        n: u32,
+        step: impl Fn(DVec2) -> DVec2,
+        escapes: impl Fn(DVec2) -> bool,
+    ) -> Self {
+        /// Steps from one look for a cycle to the next.
+        const STRIDE: u32 = 8;
+        let (mut mark, mut marked_at, mut k) = (z, 0, 0);
+        while k < n {
+            for _ in 0..STRIDE.min(n - k) {
+                z = step(z);
+                let norm = z.length_squared();
+                smallest = if norm < smallest { norm } else { smallest };
+                if escapes(z) {
+                    return Self { end: z, escape: Some(k), smallest };
+                }
+                k += 1;
+            }
+            if z == mark {
+                let end = (0..(n - k) % (k - marked_at)).fold(z, |z, _| step(z));
+                return Self { end, escape: None, smallest };
+            }
+            if k >= 2 * marked_at {
+                (mark, marked_at) = (z, k);
+            }
+        }
+        Self { end: z, escape: None, smallest }
+    }
+}
+
 impl Fractal {
     /// The value at a point.
     pub(super) fn value(&self, p: DVec3) -> f64 {
-        let point = DVec2::new(p.x, p.y);
-        let (mut z, c) = match self.set {
-            FractalSet::Mandel => (point, point),
-            FractalSet::Julia(c) | FractalSet::MagnetJulia(_, c) => (point, c),
-            FractalSet::MagnetMandel(_) => (DVec2::ZERO, point),
-        };
-        // POV-Ray's stand-in for the start of the sets that start at 0.
-        let mut smallest = if let FractalSet::MagnetMandel(_) = self.set { 10_000.0 } else { z.length_squared() };
-        for k in 0..self.iterations {
-            let escaped;
-            match self.set {
-                FractalSet::MagnetMandel(model) | FractalSet::MagnetJulia(model, _) => {
-                    z = magnet(model, z, c);
-                    // Bounds of the two attractors, infinity and 1.
-                    escaped = z.length_squared() > 10_000.0 || (z - DVec2::X).length_squared() < 1e-4;
-                }
-                _ => {
-                    z = power(z, self.exponent) + c;
-                    escaped = z.length_squared() > 4.0;
-                }
-            }
-            smallest = smallest.min(z.length_squared());
-            if escaped {
-                return self.outside(z, k);
-            }
+        let Orbit { end, escape, smallest } = self.orbit(DVec2::new(p.x, p.y));
+        match escape {
+            Some(k) => self.outside(end, k),
+            None => self.inside(end, smallest),
         }
-        self.inside(z, smallest)
+    }
+
+    fn orbit(&self, p: DVec2) -> Orbit {
+        /// POV-Ray's stand-in for the start of the sets that start at 0.
+        const FAR: f64 = 10_000.0;
+        let (n, norm) = (self.iterations, p.length_squared());
+        match (self.set, self.exponent) {
+            (FractalSet::Mandel, 2) => Orbit::follow(p, norm, n, |z| square(z) + p, leaves_disc),
+            (FractalSet::Mandel, e) => Orbit::follow(p, norm, n, |z| power(z, e) + p, leaves_disc),
+            (FractalSet::Julia(c), 2) => Orbit::follow(p, norm, n, |z| square(z) + c, leaves_disc),
+            (FractalSet::Julia(c), e) => Orbit::follow(p, norm, n, |z| power(z, e) + c, leaves_disc),
+            (FractalSet::MagnetMandel(model), _) => {
+                Orbit::follow(DVec2::ZERO, FAR, n, |z| magnet(model, z, p), is_attracted)
+            }
+            (FractalSet::MagnetJulia(model, c), _) => Orbit::follow(p, norm, n, |z| magnet(model, z, c), is_attracted),
+        }
     }
 
     fn outside(&self, z: DVec2, k: u32) -> f64 {

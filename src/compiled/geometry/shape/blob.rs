@@ -2,6 +2,8 @@
 
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::TextureId;
+use crate::compiled::geometry::graph::padded;
+use crate::compiled::geometry::parts::{Positions, Tree, WORTH_A_TREE};
 use crate::math::{Bounds, DVec3, Range, Ray, Transform, gamma, quadratic_roots, roots_in};
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -43,7 +45,12 @@ pub(crate) struct Blob {
     pub(crate) has_textures: bool,
     /// Around the parts that can hold a surface.
     bounds: Bounds,
+    /// Finds parts where there are many.
+    tree: Option<Arc<Tree>>,
 }
+
+/// Some parts, in their order.
+type Near<'a> = SmallVec<[&'a BlobPart; 16]>;
 
 /// POV-Ray's slack of the inside test.
 const INSIDE_SLACK: f64 = 1e-6;
@@ -140,11 +147,28 @@ impl Blob {
         let holding = parts.iter().filter(|p| all || p.strength > 0.0);
         let bounds = holding.fold(Bounds::EMPTY, |sum, p| sum.union(&p.bounds()));
         let has_textures = parts.iter().any(|p| p.texture.is_some());
-        Self { parts, threshold, has_textures, bounds }
+        let tree = (parts.len() >= WORTH_A_TREE).then(|| {
+            let boxes: Vec<Bounds> = parts.iter().map(|part| padded(part.bounds())).collect();
+            Arc::new(Tree::new(&boxes))
+        });
+        Self { parts, threshold, has_textures, bounds, tree }
     }
 
     fn field(&self, p: DVec3) -> f64 {
-        self.parts.iter().map(|part| part.sample(p).0).sum()
+        self.felt_at(p).iter().map(|part| part.sample(p).0).sum()
+    }
+
+    /// Parts that may be felt at a point, and others.
+    fn felt_at(&self, p: DVec3) -> Near<'_> {
+        self.near(|tree| tree.around(p))
+    }
+
+    /// The parts that a search finds, or all.
+    fn near(&self, search: impl FnOnce(&Tree) -> Positions) -> Near<'_> {
+        match &self.tree {
+            Some(tree) => search(tree).into_iter().map(|i| &self.parts[i as usize]).collect(),
+            None => self.parts.iter().collect(),
+        }
     }
 
     /// The parts felt at a point, by number, with their shares in the texture. Empty if no part has a texture. The
@@ -172,7 +196,8 @@ impl Primitive for Blob {
         let center = bounds.center() - ray.origin;
         let far = center.length_squared() > bounds.size().length_squared();
         let start = if far { center.dot(ray.direction) / ray.direction.length_squared() } else { 0.0 };
-        let stretches: SmallVec<[Stretch; 8]> = self.parts.iter().filter_map(|p| p.stretch(ray, start)).collect();
+        let met = self.near(|tree| tree.met_by(ray, range));
+        let stretches: SmallVec<[Stretch; 8]> = met.iter().filter_map(|p| p.stretch(ray, start)).collect();
         let mut events: SmallVec<[f64; 16]> = stretches.iter().flat_map(|s| [s.low, s.high]).collect();
         events.sort_unstable_by(f64::total_cmp);
         events.dedup();
@@ -202,7 +227,7 @@ impl Primitive for Blob {
 
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let sample = |p: DVec3| {
-            self.parts.iter().fold((-self.threshold, DVec3::ZERO, self.threshold.abs()), |(f, g, m), part| {
+            self.felt_at(p).iter().fold((-self.threshold, DVec3::ZERO, self.threshold.abs()), |(f, g, m), part| {
                 let (field, gradient) = part.sample(p);
                 (f + field, g + gradient, m + field.abs() + part.strength.abs())
             })

@@ -71,8 +71,11 @@ impl Primitive for Cuboid {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        if let Some((enter, leave)) = self.crossing_pair(ray) {
-            out.extend([enter, leave].into_iter().filter(|h| range.contains(h.t)));
+        let Some((enter, leave)) = self.crossing_pair(ray) else { return };
+        for hit in [enter, leave] {
+            if range.contains(hit.t) {
+                out.push(hit);
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! Curves turned around the y axis.
 
-use super::outline::Segment;
+use super::outline::{Segment, around, odd_right_of};
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits, spherical_uv};
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma, quadratic_roots, roots_in};
 use std::sync::Arc;
@@ -8,7 +8,17 @@ use std::sync::Arc;
 /// x² + z² = r(w)², y = y(w), for pieces (r, y) of a curve.
 #[derive(Clone, Debug)]
 pub(crate) struct Lathe {
-    pub(crate) segments: Arc<[Segment]>,
+    curve: Arc<Curve>,
+}
+
+/// The curve that is turned.
+#[derive(Debug)]
+struct Curve {
+    segments: Box<[Segment]>,
+    /// Smallest and largest radius and height of each segment.
+    hulls: Box<[[DVec2; 2]]>,
+    /// Of the whole.
+    hull: [DVec2; 2],
 }
 
 /// Product of two cubics, rising.
@@ -21,10 +31,16 @@ fn square(c: &[f64; 4], sum: &mut [f64; 7], factor: f64) {
 }
 
 impl Lathe {
+    /// Turns a curve.
+    pub(crate) fn new(segments: Vec<Segment>) -> Self {
+        let hulls: Box<_> = segments.iter().map(Segment::bounds).collect();
+        let hull = around(&hulls);
+        Self { curve: Arc::new(Curve { segments: segments.into(), hulls, hull }) }
+    }
+
     /// Smallest and largest radius and height of the curve.
-    fn hull(&self) -> (DVec2, DVec2) {
-        let hull = |(min, max): (DVec2, DVec2), s: &Segment| (min.min(s.bounds().0), max.max(s.bounds().1));
-        self.segments.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), hull)
+    fn hull(&self) -> [DVec2; 2] {
+        self.curve.hull
     }
 
     /// Crossings of a unit-speed ray with one turned piece, (s, w), anywhere on the line.
@@ -62,22 +78,56 @@ impl Lathe {
     }
 
     fn near(&self, ray: &Ray) -> NearRay {
-        let (min, max) = self.hull();
+        let [min, max] = self.hull();
         let size = max.abs().max(min.abs()).max_element();
         NearRay::new(ray, DVec3::new(0.0, 0.5 * (min.y + max.y), 0.0), 4.0 * size)
     }
 }
 
+/// Whether a unit-speed ray may meet a ring of such radii and heights within a range; errs on the side of yes.
+fn may_meet(near: &NearRay, reach: Range, [min, max]: &[DVec2; 2]) -> bool {
+    let (o, d) = (near.origin, near.direction);
+    let (o2, d2) = (DVec2::new(o.x, o.z), DVec2::new(d.x, d.z));
+    let (mut low, mut high) = (reach.min, reach.max);
+    let pad = ROOT_ERROR * (o.y.abs() + min.y.abs().max(max.y.abs()));
+    if d.y == 0.0 {
+        if o.y < min.y - pad || o.y > max.y + pad {
+            return false;
+        }
+    } else {
+        let (s0, s1) = ((min.y - pad - o.y) / d.y, (max.y + pad - o.y) / d.y);
+        (low, high) = (low.max(s0.min(s1)), high.min(s0.max(s1)));
+    }
+    if low > high {
+        return false;
+    }
+    // The distance from the axis first falls, then rises. What is not a number says nothing.
+    let nearest = (-o2.dot(d2) / d2.length_squared()).max(low).min(high);
+    let distance = |s: f64| (o2 + d2 * s).length();
+    let slack = |s: f64| ROOT_ERROR * (o2.length() + s.abs());
+    let (outer, inner) = (min.x.abs().max(max.x.abs()), min.x.max(-max.x).max(0.0));
+    let passes_by = distance(nearest) > outer * (1.0 + ROOT_ERROR) + slack(nearest);
+    let within = |s: f64| distance(s) + slack(s) < inner * (1.0 - ROOT_ERROR);
+    !(passes_by || within(low) && within(high))
+}
+
+/// How uncertain roots of the eliminant are, in units of the curve's size, by trial with millions of rays.
+const ROOT_ERROR: f64 = gamma(1024);
+
 impl Primitive for Lathe {
     fn bounds(&self) -> Bounds {
-        let (min, max) = self.hull();
+        let [min, max] = self.hull();
         let r = min.x.abs().max(max.x.abs());
         Bounds { min: DVec3::new(-r, min.y, -r), max: DVec3::new(r, max.y, r) }
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
         let near = self.near(ray);
-        for (segment, part) in self.segments.iter().zip(0..) {
+        let reach = near.range(range);
+        for ((segment, part), hull) in self.curve.segments.iter().zip(0..).zip(&self.curve.hulls) {
+            if !may_meet(&near, reach, hull) {
+                continue;
+            }
             self.turned(segment, &near, |s, _| {
                 let t = near.t(s);
                 if range.contains(t) {
@@ -89,15 +139,13 @@ impl Primitive for Lathe {
 
     /// An odd number of curve crossings further out; never inside the curve's smallest radius.
     fn contains(&self, p: DVec3) -> bool {
-        let (min, max) = self.hull();
+        let [min, max] = self.hull();
         let flat = DVec2::new(p.x.hypot(p.z), p.y);
-        min.cmple(flat).all()
-            && flat.cmple(max).all()
-            && self.segments.iter().map(|s| s.crossings_right_of(flat)).sum::<usize>() % 2 == 1
+        min.cmple(flat).all() && flat.cmple(max).all() && odd_right_of(&self.curve.segments, &self.curve.hulls, flat)
     }
 
     fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
-        let segment = &self.segments[part as usize];
+        let segment = &self.curve.segments[part as usize];
         let near = self.near(ray);
         let mut nearest = (f64::INFINITY, 0.0);
         self.turned(segment, &near, |s, w| {
@@ -114,10 +162,9 @@ impl Primitive for Lathe {
         let rise = slope.x * c.x.signum();
         let normal = DVec3::new(slope.y * outward.x, -rise, slope.y * outward.y);
         let u = spherical_uv(DVec3::new(outward.x, 0.0, outward.y)).x;
-        let uv = DVec2::new(u, (f64::from(part) + w) / self.segments.len() as f64);
-        let (min, max) = self.hull();
-        // Roots of the eliminant are that much less certain than a quadratic's, by trial with millions of rays.
-        let error = gamma(1024) * max.abs().max(min.abs()).max_element();
+        let uv = DVec2::new(u, (f64::from(part) + w) / self.curve.segments.len() as f64);
+        let [min, max] = self.hull();
+        let error = ROOT_ERROR * max.abs().max(min.abs()).max_element();
         LocalSurface { uv: Some(uv), ..LocalSurface::plain(point, error, normal) }
     }
 }

@@ -115,6 +115,17 @@ pub(crate) trait Primitive {
         hits.into_iter().reduce(|best, hit| if hit.t <= best.t { hit } else { best })
     }
 
+    /// The part of a range outside of which no point of the ray is inside, by [`contains`](Self::contains) with all
+    /// its rounding; errs on the side of more. Only for shapes that bounds do not hold as well.
+    fn span(&self, _ray: &Ray, range: Range) -> Range {
+        range
+    }
+
+    /// Whether [`span`](Self::span) says anything.
+    fn has_span(&self) -> bool {
+        false
+    }
+
     /// Whether there is any crossing.
     fn occluded(&self, ray: &Ray, range: Range) -> bool {
         self.intersect(ray, range).is_some()
@@ -149,6 +160,12 @@ macro_rules! shapes {
             }
             fn occluded(&self, ray: &Ray, range: Range) -> bool {
                 match self { $(Self::$name(s) => s.occluded(ray, range),)* }
+            }
+            fn span(&self, ray: &Ray, range: Range) -> Range {
+                match self { $(Self::$name(s) => s.span(ray, range),)* }
+            }
+            fn has_span(&self) -> bool {
+                match self { $(Self::$name(s) => s.has_span(),)* }
             }
         }
     };
@@ -201,6 +218,12 @@ impl<P: Primitive> Primitive for Box<P> {
     }
     fn occluded(&self, ray: &Ray, range: Range) -> bool {
         (**self).occluded(ray, range)
+    }
+    fn span(&self, ray: &Ray, range: Range) -> Range {
+        (**self).span(ray, range)
+    }
+    fn has_span(&self) -> bool {
+        (**self).has_span()
     }
 }
 

@@ -55,22 +55,30 @@ impl Segment {
     }
 
     /// Lower and upper corner of a box around it: ends and turning points.
-    pub(crate) fn bounds(&self) -> (DVec2, DVec2) {
-        let mut box_ = (self.at(0.0).min(self.at(1.0)), self.at(0.0).max(self.at(1.0)));
+    pub(crate) fn bounds(&self) -> [DVec2; 2] {
+        let mut box_ = [self.at(0.0).min(self.at(1.0)), self.at(0.0).max(self.at(1.0))];
         for c in [&self.x, &self.y] {
             for w in roots_in(&[c[1], 2.0 * c[2], 3.0 * c[3]], 0.0, 1.0) {
-                box_ = (box_.0.min(self.at(w)), box_.1.max(self.at(w)));
+                box_ = [box_[0].min(self.at(w)), box_[1].max(self.at(w))];
             }
         }
         box_
     }
 
-    /// How often the piece crosses the horizontal line to the right of `p`.
+    /// Whether the piece crosses the horizontal line to the right of `p` an odd number of times. `bounds` are its own.
     ///
-    /// Whether the count is odd follows from the ends alone, each held by its upper side, so that
+    /// Whether the whole count is odd follows from the ends alone, each held by its upper side, so that
     /// pieces that meet in a point count it once.
-    pub(crate) fn crossings_right_of(&self, p: DVec2) -> usize {
+    pub(crate) fn crosses_right_of(&self, p: DVec2, bounds: &[DVec2; 2]) -> bool {
         let (a, b) = (self.at(0.0).y > p.y, self.at(1.0).y > p.y);
+        let [min, max] = bounds;
+        if p.y < min.y || p.y > max.y || p.x >= max.x {
+            // All of it is on one side of the line, or to the left; rounding keeps the ends from saying otherwise.
+            return false;
+        }
+        if p.x < min.x {
+            return a != b;
+        }
         let roots = self.zeros(0.0, 1.0, -p.y);
         let mut inner: Roots = roots.iter().copied().filter(|w| *w > 0.0 && *w < 1.0).collect();
         if inner.len() % 2 != usize::from(a != b) {
@@ -83,6 +91,17 @@ impl Segment {
                 _ => inner.push(if (self.at(0.0).y - p.y).abs() < (self.at(1.0).y - p.y).abs() { 0.0 } else { 1.0 }),
             }
         }
-        inner.iter().filter(|w| self.at(**w).x > p.x).count()
+        inner.iter().filter(|w| self.at(**w).x > p.x).count() % 2 == 1
     }
+}
+
+/// The box around some boxes.
+pub(super) fn around(hulls: &[[DVec2; 2]]) -> [DVec2; 2] {
+    let grown = |[min, max]: [DVec2; 2], b: &[DVec2; 2]| [min.min(b[0]), max.max(b[1])];
+    hulls.iter().fold([DVec2::INFINITY, DVec2::NEG_INFINITY], grown)
+}
+
+/// Whether an odd number of crossings of pieces, each with its box, lies to the right of a point.
+pub(super) fn odd_right_of(segments: &[Segment], hulls: &[[DVec2; 2]], p: DVec2) -> bool {
+    segments.iter().zip(hulls).fold(false, |odd, (segment, hull)| odd != segment.crosses_right_of(p, hull))
 }

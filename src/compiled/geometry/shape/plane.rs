@@ -23,7 +23,9 @@ impl Primitive for Plane {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        out.extend(self.intersect(ray, range));
+        if let Some(hit) = self.intersect(ray, range) {
+            out.push(hit);
+        }
     }
 
     #[inline]
@@ -37,6 +39,27 @@ impl Primitive for Plane {
     fn contains(&self, p: DVec3) -> bool {
         // Twice for the rounding of a hit point that another surface put here.
         self.height(p) <= 4.0 * dot_error(self.normal, p) + gamma(2) * self.distance.abs()
+    }
+
+    fn span(&self, ray: &Ray, Range { min, max }: Range) -> Range {
+        /// Several times the thickness of the boundary and all rounding.
+        const SLACK: f64 = gamma(64);
+        let height = self.height(ray.origin);
+        let slope = self.normal.dot(ray.direction);
+        // What heights are uncertain by at the origin, and how that grows along the ray.
+        let slack = SLACK * (self.normal.abs().dot(ray.origin.abs()) + self.distance.abs());
+        let growth = SLACK * self.normal.abs().dot(ray.direction.abs());
+        if slope > growth {
+            Range { min, max: max.min((slack - height) / (slope - growth)) }
+        } else if slope < -growth {
+            Range { min: min.max((height - slack) / (growth - slope)), max }
+        } else {
+            Range { min, max }
+        }
+    }
+
+    fn has_span(&self) -> bool {
+        true
     }
 
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {

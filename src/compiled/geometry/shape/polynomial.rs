@@ -19,6 +19,7 @@ type Along = [f64; MAX_DEGREE + 1];
 impl Polynomial {
     /// Combines all terms by Horner's rule in x, within it in y, within it in z: `step(sum, axis)`
     /// multiplies by a coordinate, `add(sum, c)` adds.
+    #[inline]
     fn horner<S>(
         &self,
         zero: impl Fn() -> S,
@@ -47,19 +48,32 @@ impl Polynomial {
 
     /// Coefficients along a ray.
     fn along(&self, o: DVec3, d: DVec3) -> Along {
-        let n = self.order;
-        let multiply = |sum: &mut Along, axis: usize| {
+        // The orders of most surfaces, for each of which there is a program of its own.
+        match self.order {
+            0..=3 => self.along_in::<4>(o, d),
+            4 => self.along_in::<5>(o, d),
+            5..=6 => self.along_in::<7>(o, d),
+            _ => self.along_in::<{ MAX_DEGREE + 1 }>(o, d),
+        }
+    }
+
+    /// The same with room for `N` coefficients on the way.
+    fn along_in<const N: usize>(&self, o: DVec3, d: DVec3) -> Along {
+        let n = if N <= MAX_DEGREE { N - 1 } else { self.order };
+        let multiply = |sum: &mut [f64; N], axis: usize| {
             for k in (1..=n).rev() {
                 sum[k] = sum[k] * o[axis] + sum[k - 1] * d[axis];
             }
             sum[0] *= o[axis];
         };
-        let add = |sum: &mut Along, other: &Along| {
+        let add = |sum: &mut [f64; N], other: &[f64; N]| {
             for k in 0..=n {
                 sum[k] += other[k];
             }
         };
-        self.horner(|| [0.0; MAX_DEGREE + 1], multiply, |sum, c| sum[0] += c, add)
+        let mut along = [0.0; MAX_DEGREE + 1];
+        along[..N].copy_from_slice(&self.horner(|| [0.0; N], multiply, |sum, c| sum[0] += c, add));
+        along
     }
 
     fn value(&self, p: DVec3) -> f64 {

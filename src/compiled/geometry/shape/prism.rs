@@ -1,7 +1,8 @@
 //! Outlines swept along an axis: prisms and text.
 
-use super::outline::Segment;
+use super::outline::{Segment, around, odd_right_of};
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
+use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
 use std::sync::Arc;
 
@@ -9,7 +10,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(crate) struct Outline {
     pub(crate) segments: Box<[Segment]>,
-    /// Middle and half the size of a box around each segment.
+    /// Lower and upper corner of a box around each segment.
     hulls: Box<[[DVec2; 2]]>,
     min: DVec2,
     max: DVec2,
@@ -19,17 +20,13 @@ pub(crate) struct Outline {
 
 impl Outline {
     pub(crate) fn new(segments: Vec<Segment>) -> Self {
-        let boxes: Vec<_> = segments.iter().map(Segment::bounds).collect();
-        let hull = |(min, max): (DVec2, DVec2), b: &(DVec2, DVec2)| (min.min(b.0), max.max(b.1));
-        let (min, max) = boxes.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), hull);
-        let hulls = boxes.iter().map(|(low, high)| [(*low + *high) * 0.5, (*high - *low) * 0.5]).collect();
+        let hulls: Box<_> = segments.iter().map(Segment::bounds).collect();
+        let [min, max] = around(&hulls);
         Self { segments: segments.into(), hulls, min, max, swept: Bounds::EMPTY }
     }
 
     fn contains(&self, p: DVec2) -> bool {
-        self.min.cmple(p).all()
-            && p.cmple(self.max).all()
-            && self.segments.iter().map(|s| s.crossings_right_of(p)).sum::<usize>() % 2 == 1
+        self.min.cmple(p).all() && p.cmple(self.max).all() && odd_right_of(&self.segments, &self.hulls, p)
     }
 }
 
@@ -59,12 +56,13 @@ struct Shadow {
 }
 
 impl Shadow {
-    /// Whether the line may meet a box, given by its middle and half its size.
-    fn may_meet(&self, [middle, half]: &[DVec2; 2]) -> bool {
-        let reach = self.normal.abs().dot(*half);
+    /// Whether the line may meet a box, given by two corners.
+    fn may_meet(&self, [low, high]: &[DVec2; 2]) -> bool {
+        let (middle, half) = ((*low + *high) * 0.5, (*high - *low) * 0.5);
+        let reach = self.normal.abs().dot(half);
         // What is added up rounds less often than that, here and where the box was found.
         let slack = gamma(64) * (self.normal.abs().dot(middle.abs()) + self.constant.abs() + reach);
-        (self.normal.dot(*middle) + self.constant).abs() <= reach + slack
+        (self.normal.dot(middle) + self.constant).abs() <= reach + slack
     }
 }
 
@@ -93,9 +91,17 @@ impl Prism {
         Self { outlines, low, high, conic, open: false, caps_only: false, outward_caps: false }
     }
 
-    /// The outline's extent against the ray's shadow: whether to look at it at all.
-    fn may_meet(&self, outline: &Outline, ray: &Ray, range: Range) -> bool {
-        self.conic || super::super::solid::may_meet(&outline.swept, ray, range)
+    /// The box in which a ray's shadow on the plane of an outline passes over it; `None` for nowhere.
+    fn passage(&self, outline: &Outline, ray: &SlabRay<'_>, range: Range) -> Option<[DVec2; 2]> {
+        if self.conic {
+            return Some([outline.min, outline.max]);
+        }
+        let Range { min, max } = ray.within(&outline.swept, range);
+        let (a, b) = (ray.ray.at(min), ray.ray.at(max));
+        // As uncertain as the box was taken to be.
+        let slack = gamma(64) * (a.abs().max(b.abs()).max_element() + ray.ray.origin.abs().max_element());
+        let (a, b) = (DVec2::new(a.x, a.z), DVec2::new(b.x, b.z));
+        (min <= max).then_some([a.min(b) - slack, a.max(b) + slack])
     }
 
     /// The ray's shadow on the plane of the outline.
@@ -147,14 +153,13 @@ impl Primitive for Prism {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        let shadow = self.shadow(ray);
+        let (shadow, slabs) = (self.shadow(ray), SlabRay::new(ray));
         for (outline, first) in self.pieces() {
-            if !self.may_meet(outline, ray, range) {
-                continue;
-            }
+            let Some([low, high]) = self.passage(outline, &slabs, range) else { continue };
             let sides = if self.caps_only { &[][..] } else { &outline.segments[..] };
             for ((segment, part), hull) in sides.iter().zip(first..).zip(&outline.hulls) {
-                if !shadow.may_meet(hull) {
+                let aside = hull[1].cmplt(low).any() || hull[0].cmpgt(high).any();
+                if aside || !shadow.may_meet(hull) {
                     continue;
                 }
                 self.sides(segment, ray, &shadow, |t, _| {

@@ -1,6 +1,7 @@
 //! Surfaces of revolution whose squared radius is a cubic of the height.
 
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits, spherical_uv};
+use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma, roots_in};
 use std::sync::Arc;
 
@@ -23,14 +24,35 @@ impl SorSegment {
 /// `sor`: pieces from bottom to top.
 #[derive(Clone, Debug)]
 pub(crate) struct Sor {
-    pub(crate) segments: Arc<[SorSegment]>,
-    pub(crate) open: bool,
+    segments: Arc<[SorSegment]>,
+    open: bool,
+    bounds: Bounds,
 }
 
 const BASE: u32 = u32::MAX - 1;
 const CAP: u32 = u32::MAX;
 
 impl Sor {
+    /// Pieces from bottom to top, with or without caps.
+    pub(crate) fn new(segments: Vec<SorSegment>, open: bool) -> Self {
+        let mut sor = Self { segments: segments.into(), open, bounds: Bounds::EMPTY };
+        sor.bounds = sor.reach();
+        sor
+    }
+
+    /// A box around the whole.
+    fn reach(&self) -> Bounds {
+        let (low, high) = self.ends();
+        let mut squared: f64 = 0.0;
+        for s in self.segments.iter() {
+            let turning = roots_in(&[s.squared[1], 2.0 * s.squared[2], 3.0 * s.squared[3]], 0.0, s.high - s.low);
+            let heights = turning.into_iter().map(|h| s.low + h).chain([s.low, s.high]);
+            squared = heights.map(|y| s.at(y).0).fold(squared, f64::max);
+        }
+        let r = squared.sqrt() * (1.0 + gamma(64));
+        Bounds { min: DVec3::new(-r, low, -r), max: DVec3::new(r, high, r) }
+    }
+
     fn ends(&self) -> (f64, f64) {
         let low = self.segments.first().map_or(0.0, |s| s.low);
         (low, self.segments.last().map_or(0.0, |s| s.high))
@@ -45,20 +67,12 @@ impl Sor {
 
 impl Primitive for Sor {
     fn bounds(&self) -> Bounds {
-        let (low, high) = self.ends();
-        let mut squared: f64 = 0.0;
-        for s in self.segments.iter() {
-            let turning = roots_in(&[s.squared[1], 2.0 * s.squared[2], 3.0 * s.squared[3]], 0.0, s.high - s.low);
-            let heights = turning.into_iter().map(|h| s.low + h).chain([s.low, s.high]);
-            squared = heights.map(|y| s.at(y).0).fold(squared, f64::max);
-        }
-        let r = squared.sqrt() * (1.0 + gamma(64));
-        Bounds { min: DVec3::new(-r, low, -r), max: DVec3::new(r, high, r) }
+        self.bounds
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
         let b = self.bounds();
-        if !super::super::solid::may_meet(&b, ray, range) {
+        if !SlabRay::new(ray).may_meet(&b, range) {
             return;
         }
         let near = NearRay::new(ray, b.center(), 2.0 * b.size().length());

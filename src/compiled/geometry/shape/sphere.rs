@@ -42,8 +42,11 @@ impl Primitive for Sphere {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        if let Some((near, far)) = self.roots(ray) {
-            out.extend([near, far].into_iter().filter(|t| range.contains(*t)).map(|t| ShapeHit { t, part: 0 }));
+        let Some((near, far)) = self.roots(ray) else { return };
+        for t in [near, far] {
+            if range.contains(t) {
+                out.push(ShapeHit { t, part: 0 });
+            }
         }
     }
 
@@ -60,6 +63,20 @@ impl Primitive for Sphere {
 
     fn excludes(&self, point: DVec3) -> bool {
         point.distance_squared(self.center) > self.radius * self.radius
+    }
+
+    fn span(&self, ray: &Ray, Range { min, max }: Range) -> Range {
+        // A point inside is no farther away than this, which bounds its rounding and that of the roots.
+        let reach = self.center.abs().element_sum() + ray.origin.abs().element_sum() + self.radius.abs();
+        let larger = Self { center: self.center, radius: self.radius.abs() + gamma(64) * reach };
+        match larger.roots(ray) {
+            Some((near, far)) => Range { min: min.max(near), max: max.min(far) },
+            None => Range::EMPTY,
+        }
+    }
+
+    fn has_span(&self) -> bool {
+        true
     }
 
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {

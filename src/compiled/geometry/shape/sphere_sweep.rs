@@ -7,8 +7,8 @@
 //!
 //! Source: van Wijk, Ray Tracing Objects Defined by Sweeping a Sphere, 1985.
 
-use super::super::solid::may_meet;
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
+use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec3, Range, Ray, gamma, quadratic_roots, roots_in};
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -206,9 +206,10 @@ impl Primitive for SphereSweep {
         let near = NearRay::new(ray, self.bounds.center(), size);
         let line = Ray::new(near.origin, near.direction);
         let everywhere = Range { min: f64::NEG_INFINITY, max: f64::INFINITY };
+        let slabs = SlabRay::new(&line);
         let mut stretches = Vec::new();
         for (i, segment) in self.segments.iter().enumerate() {
-            if may_meet(&segment.bounds, &line, everywhere) {
+            if slabs.may_meet(&segment.bounds, everywhere) {
                 segment.stretches(near.origin, near.direction, i as u32, &mut stretches);
             }
         }

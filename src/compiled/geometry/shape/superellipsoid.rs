@@ -21,7 +21,88 @@ const SAMPLES: usize = 8;
 /// POV-Ray's own threshold of the inside test, in the shape's unit cube.
 const INSIDE_SLACK: f64 = 1e-10;
 
+/// A line through the shape: unit direction, and the stretch of it in which roots are looked for.
+struct Chord {
+    near: NearRay,
+    low: f64,
+    high: f64,
+}
+
+impl Chord {
+    /// `None` where the line passes by.
+    fn new(ray: &Ray, range: Range) -> Option<Self> {
+        let near = NearRay::new(ray, DVec3::ZERO, 4.0);
+        let (o, d) = (near.origin, near.direction);
+        let reach = near.range(range);
+        let (mut low, mut high) = (reach.min, reach.max);
+        for axis in 0..3 {
+            // A little larger than the shape, so that roots on its flat faces are enclosed.
+            let (a, b) = ((-1.001 - o[axis]) / d[axis], (1.001 - o[axis]) / d[axis]);
+            low = low.max(a.min(b));
+            high = high.min(a.max(b));
+        }
+        (low < high && (high - low).is_finite()).then_some(Self { near, low, high })
+    }
+
+    fn at(&self, s: f64) -> DVec3 {
+        self.near.origin + self.near.direction * s
+    }
+}
+
 impl Superellipsoid {
+    /// Whether the shape is convex, and with it its value.
+    fn is_convex(&self) -> bool {
+        self.east_west <= 2.0 && self.north_south <= 2.0
+    }
+
+    /// The p-norm of two lengths and its slope, from the lengths and their slopes.
+    fn norm_along((a, da): (f64, f64), (b, db): (f64, f64), p: f64) -> (f64, f64) {
+        let ((low, d_low), (high, d_high)) = if a < b { ((a, da), (b, db)) } else { ((b, db), (a, da)) };
+        if high == 0.0 {
+            return (0.0, 0.0);
+        }
+        let ratio = low / high;
+        let power = ratio.powf(p);
+        let root = (1.0 + power).powf(1.0 / p);
+        let share = if ratio > 0.0 { power / ratio } else { 0.0 };
+        (high * root, root / (1.0 + power) * (d_high + share * d_low))
+    }
+
+    /// Value and slope at a point along a direction.
+    fn value_along(&self, p: DVec3, d: DVec3) -> (f64, f64) {
+        let side = |axis: usize| (p[axis].abs(), d[axis] * 1.0f64.copysign(p[axis]));
+        let across = Self::norm_along(side(0), side(1), 2.0 / self.east_west);
+        let (norm, slope) = Self::norm_along(across, side(2), 2.0 / self.north_south);
+        (norm - 1.0, slope)
+    }
+
+    /// The outermost root of a convex shape on a chord, seen from one of its ends.
+    ///
+    /// From outside Newton's method never passes the root of a convex function; where the slope turns, there is none.
+    fn outer_root(&self, chord: &Chord, from: f64, to: f64) -> Option<f64> {
+        /// Contacts halve their distance each round, so bits run out before that.
+        const ROUNDS: usize = 64;
+        let direction = if from < to { chord.near.direction } else { -chord.near.direction };
+        let (mut s, end) = (0.0, (to - from).abs());
+        let point = |s: f64| chord.at(if from < to { from + s } else { from - s });
+        for round in 0..ROUNDS {
+            let (value, slope) = self.value_along(point(s), direction);
+            if value <= 0.0 {
+                // From within there is nothing to be found; a step onto the surface may round across it.
+                return (round > 0).then_some(s);
+            }
+            let next = s - value / slope;
+            if slope >= 0.0 || next > end {
+                return None;
+            }
+            if next <= s * (1.0 + f64::EPSILON) {
+                return Some(s);
+            }
+            s = next;
+        }
+        Some(s)
+    }
+
     /// The p-norm's (aᵖ + bᵖ)^(1/p), without overflow for large powers.
     fn norm(a: f64, b: f64, p: f64) -> f64 {
         let (low, high) = (a.min(b), a.max(b));
@@ -80,27 +161,21 @@ impl Superellipsoid {
         let s = 0.5 * (low + high);
         (s, f(s))
     }
-}
 
-impl Primitive for Superellipsoid {
-    fn bounds(&self) -> Bounds {
-        Bounds { min: DVec3::NEG_ONE, max: DVec3::ONE }
+    /// Where a chord enters a convex shape.
+    fn first(&self, chord: &Chord) -> Option<f64> {
+        self.outer_root(chord, chord.low, chord.high).map(|s| chord.low + s)
     }
 
-    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        let near = NearRay::new(ray, DVec3::ZERO, 4.0);
-        let (o, d) = (near.origin, near.direction);
-        let reach = near.range(range);
-        let (mut low, mut high) = (reach.min, reach.max);
-        for axis in 0..3 {
-            // A little larger than the shape, so that roots on its flat faces are enclosed.
-            let (a, b) = ((-1.001 - o[axis]) / d[axis], (1.001 - o[axis]) / d[axis]);
-            low = low.max(a.min(b));
-            high = high.min(a.max(b));
-        }
-        if low >= high || !(high - low).is_finite() {
-            return;
-        }
+    /// Where a chord leaves a convex shape.
+    fn last(&self, chord: &Chord) -> Option<f64> {
+        self.outer_root(chord, chord.high, chord.low).map(|s| chord.high - s)
+    }
+
+    /// Every root on a chord of a shape that need not be convex.
+    fn sampled(&self, chord: &Chord, mut record: impl FnMut(f64)) {
+        let Chord { near, low, high } = chord;
+        let (o, d, low, high) = (near.origin, near.direction, *low, *high);
         // Between symmetry planes the function is smooth.
         let mut cuts: SmallVec<[f64; 16]> = SmallVec::from_slice(&[low, high]);
         for plane in [
@@ -130,26 +205,52 @@ impl Primitive for Superellipsoid {
         for sample in &mut samples {
             sample.1 = self.value(o + d * sample.0);
         }
+        for i in 1..samples.len() {
+            let (a, b) = (samples[i - 1], samples[i]);
+            if (a.1 < 0.0) != (b.1 < 0.0) {
+                record(self.root(near, a, b));
+            }
+            let Some(c) = samples.get(i + 1) else { continue };
+            if a.1 > 0.0 && b.1 > 0.0 && c.1 > 0.0 && b.1 <= a.1 && b.1 <= c.1 {
+                let bottom = self.dip(near, a.0, c.0);
+                if bottom.1 < 0.0 {
+                    record(self.root(near, a, bottom));
+                    record(self.root(near, bottom, *c));
+                }
+            }
+        }
+    }
+}
+
+impl Primitive for Superellipsoid {
+    fn bounds(&self) -> Bounds {
+        Bounds { min: DVec3::NEG_ONE, max: DVec3::ONE }
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        let Some(chord) = Chord::new(ray, range) else { return };
         let mut record = |s: f64| {
-            let t = near.t(s);
+            let t = chord.near.t(s);
             if range.contains(t) {
                 out.push(ShapeHit { t, part: 0 });
             }
         };
-        for i in 1..samples.len() {
-            let (a, b) = (samples[i - 1], samples[i]);
-            if (a.1 < 0.0) != (b.1 < 0.0) {
-                record(self.root(&near, a, b));
-            }
-            let Some(c) = samples.get(i + 1) else { continue };
-            if a.1 > 0.0 && b.1 > 0.0 && c.1 > 0.0 && b.1 <= a.1 && b.1 <= c.1 {
-                let bottom = self.dip(&near, a.0, c.0);
-                if bottom.1 < 0.0 {
-                    record(self.root(&near, a, bottom));
-                    record(self.root(&near, bottom, *c));
-                }
-            }
+        if self.is_convex() {
+            [self.first(&chord), self.last(&chord)].into_iter().flatten().for_each(record);
+        } else {
+            self.sampled(&chord, &mut record);
         }
+    }
+
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
+        if !self.is_convex() {
+            let mut hits = ShapeHits::new();
+            self.crossings(ray, range, &mut hits);
+            return hits.into_iter().reduce(|best, hit| if hit.t <= best.t { hit } else { best });
+        }
+        let chord = Chord::new(ray, range)?;
+        let hit = |s: f64| Some(chord.near.t(s)).filter(|t| range.contains(*t)).map(|t| ShapeHit { t, part: 0 });
+        self.first(&chord).and_then(hit).or_else(|| self.last(&chord).and_then(hit))
     }
 
     fn contains(&self, p: DVec3) -> bool {
