@@ -90,40 +90,38 @@ impl Geometry {
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let primitive = &self.primitives[hit.primitive as usize];
         let world_from_group = self.world_from(&hit.path, hit.path.steps().len());
-        let places = [primitive.group_from_local.as_deref(), world_from_group.as_ref()];
-        let local_ray = places.into_iter().rev().flatten().fold(*ray, |ray, place| place.inverse_ray(&ray));
-        let local = primitive.shape.surface(&local_ray, hit.t, hit.part);
-
-        let sign = if primitive.inverse { -1.0 } else { 1.0 };
-        let (mut point, mut error) = (local.point, local.error);
-        let (mut geometric, mut shading) = (local.normal * sign, local.shading_normal.map(|n| n * sign));
-        let mut outward = |place: Option<&Transform>| {
-            if let Some(place) = place {
-                error = transformed_point_error(place, point, error);
-                point = place.point(point);
-                geometric = place.normal(geometric);
-                shading = shading.map(|n| place.normal(n));
-            }
-            point
-        };
-        let group_point = outward(places[0]);
-        outward(places[1]);
-        let geometric_normal = geometric.try_normalize().unwrap_or(-ray.direction);
-        let normal = shading.and_then(DVec3::try_normalize).unwrap_or(geometric_normal);
+        let group_from_local = primitive.group_from_local.as_deref();
+        let group_ray = world_from_group.as_ref().map_or(*ray, |place| place.inverse_ray(ray));
+        let local_ray = group_from_local.map_or(group_ray, |place| place.inverse_ray(&group_ray));
+        let mut found = primitive.shape.surface(&local_ray, hit.t, hit.part);
+        if primitive.inverse {
+            found.normal = -found.normal;
+            found.shading_normal = found.shading_normal.map(|n| -n);
+        }
+        let (local_point, uv) = (found.point, found.uv);
+        if let Some(place) = group_from_local {
+            found.carry(place);
+        }
+        let group_point = found.point;
+        if let Some(place) = &world_from_group {
+            found.carry(place);
+        }
+        let point = found.point;
+        let geometric_normal = found.normal.try_normalize().unwrap_or(-ray.direction);
+        let normal = found.shading_normal.and_then(DVec3::try_normalize).unwrap_or(geometric_normal);
         let from_inside = normal.dot(ray.direction) > 0.0;
-        let uv = uv_of(primitive, &local, group_point, point);
 
         let inherited = self.looks_of(primitive.look, &hit.path);
         let look = &inherited.look;
         let interior = inherited.interior_key(&hit.path);
         Surface {
             point,
-            point_error: error + crate::math::gamma(2) * point.abs().max_element(),
+            point_error: found.error + crate::math::gamma(2) * point.abs().max_element(),
             geometric_normal,
             normal,
-            uv,
+            uv: uv_of(primitive, uv, [local_point, group_point, point]),
             from_inside,
-            textures: self.textures_of(primitive, &inherited, hit, from_inside, (local.point, group_point)),
+            textures: self.textures_of(primitive, &inherited, hit, from_inside, (local_point, group_point)),
             uv_mapping: look.uv_mapping,
             interior,
             hollow: self.hollow.get(interior.interior.0 as usize).copied().unwrap_or(false),
@@ -309,12 +307,23 @@ impl Geometry {
     }
 }
 
-/// Own coordinates of a shape, in the space in which they are defined; of others the world's x and y.
-fn uv_of(primitive: &Primitive, local: &LocalSurface, group_point: DVec3, world_point: DVec3) -> Uv {
+impl LocalSurface {
+    /// Takes the place to the space around it.
+    fn carry(&mut self, place: &Transform) {
+        self.error = transformed_point_error(place, self.point, self.error);
+        self.point = place.point(self.point);
+        self.normal = place.normal(self.normal);
+        self.shading_normal = self.shading_normal.map(|n| place.normal(n));
+    }
+}
+
+/// Own coordinates of a shape, in the space in which they are defined; of others the world's x and y. `points` are
+/// those of the shape's own space, of its group's and of the world.
+fn uv_of(primitive: &Primitive, uv: Option<DVec2>, [local, group, world]: [DVec3; 3]) -> Uv {
     match (&primitive.uv_from_group, &primitive.shape) {
-        (Some(uv_from_group), Shape::Sphere(_)) => Uv::Around(uv_from_group.point(group_point)),
-        (None, Shape::Sphere(sphere)) => Uv::Around(local.point - sphere.center),
-        _ => Uv::At(local.uv.unwrap_or(DVec2::new(world_point.x, world_point.y))),
+        (Some(uv_from_group), Shape::Sphere(_)) => Uv::Around(uv_from_group.point(group)),
+        (None, Shape::Sphere(sphere)) => Uv::Around(local - sphere.center),
+        _ => Uv::At(uv.unwrap_or(DVec2::new(world.x, world.y))),
     }
 }
 
