@@ -49,6 +49,7 @@ impl Color {
     }
 
     /// Linear blend in all five components: `self` at `t == 0`, `other` at `t == 1`.
+    #[inline]
     pub fn lerp(self, other: Self, t: f32) -> Self {
         Self {
             rgb: self.rgb + (other.rgb - self.rgb) * t,

@@ -11,7 +11,7 @@ const CELL_OFFSET: f64 = 1e-10;
 const TRIANGLE_HEIGHT: f64 = 0.866_025_403_784_438_6;
 
 /// The raw value, before frequency and wave.
-#[inline]
+#[inline(always)]
 pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
     match &pattern.kind {
         PatternKind::None => 0.0,

@@ -136,7 +136,7 @@ impl Pattern {
     }
 
     /// Carries a point from the space that contains the pattern to that of the formula.
-    #[inline]
+    #[inline(always)]
     pub fn warp(&self, point: DVec3) -> DVec3 {
         let moved = match &*self.warps {
             [] => point,
@@ -154,21 +154,21 @@ impl Pattern {
     }
 
     /// The value at a point that [`warp`](Self::warp) gave.
-    #[inline]
+    #[inline(always)]
     pub fn value_at_warped(&self, point: DVec3, context: &Context) -> f64 {
         let raw = formula::value(self, point, context);
         shape(raw, self.frequency, self.phase, self.wave)
     }
 
     /// What stands at a point that [`warp`](Self::warp) gave.
-    #[inline]
+    #[inline(always)]
     pub fn pick_at_warped<'a, T>(&self, items: &'a Blend<T>, warped: DVec3, context: &Context) -> Pick<'a, T> {
         let value = if let Blend::Average(_) = items { 0.0 } else { self.value_at_warped(warped, context) };
         items.pick(value)
     }
 
     /// What stands at a point, and the warped point.
-    #[inline]
+    #[inline(always)]
     pub fn pick<'a, T>(&self, items: &'a Blend<T>, point: DVec3, context: &Context) -> (Pick<'a, T>, DVec3) {
         let warped = self.warp(point);
         (self.pick_at_warped(items, warped, context), warped)
