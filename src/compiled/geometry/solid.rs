@@ -60,6 +60,11 @@ impl Geometry {
         if !ray.may_meet(&node.bounds, range) || !self.passes_bounds(node, ray, scratch) {
             return;
         }
+        // Only what is inside of all clips is left in the end.
+        let range = node.clips.iter().fold(range, |range, clip| self.span(*clip, ray, range));
+        if range.is_empty() {
+            return;
+        }
         let start = scratch.crossings.len();
         let mut reverses = !node.clips.is_empty();
         match &node.kind {
