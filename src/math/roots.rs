@@ -232,16 +232,17 @@ fn bernstein<const N: usize>(coefficients: &[f64], n: usize, low: f64, high: f64
     b
 }
 
-/// The one root in a piece: Newton's method, kept inside a shrinking bracket, from where the chord between the ends
-/// meets zero.
+/// The one root in a piece: Newton's method, kept inside a shrinking bracket, from about where the chord between the
+/// ends meets zero.
 ///
 /// Source: Press et al., Numerical Recipes, section 9.4 (`rtsafe`).
 #[inline(always)]
 fn polish<const N: usize>(coefficients: &[f64], piece: &Piece<N>, n: usize) -> f64 {
     let (mut low, mut high, first, last) = (piece.low, piece.high, piece.b[0], piece.b[n]);
     let rising = last > first;
-    let chord = low + (high - low) * (first / (first - last));
-    let mut t = if chord > low && chord < high { chord } else { 0.5 * low + 0.5 * high };
+    // Not next to an end that may be another root but for rounding.
+    let share = (first / (first - last)).clamp(0.125, 0.875);
+    let mut t = low + (high - low) * share;
     // Bisection alone ends after about 60 rounds for neighbouring exponents; Newton needs few.
     for _ in 0..100 {
         let (value, slope) = horner(coefficients, t);

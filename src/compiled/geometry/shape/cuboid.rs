@@ -95,6 +95,10 @@ impl Primitive for Cuboid {
         range.contains(hit.t).then_some(hit)
     }
 
+    fn is_quick(&self) -> bool {
+        true
+    }
+
     fn contains(&self, p: DVec3) -> bool {
         self.bounds().contains(p)
     }
