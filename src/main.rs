@@ -8,5 +8,6 @@ mod huge_pages;
 static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 
 fn main() -> ExitCode {
+    huge_pages::prepare();
     whitted::cli::run()
 }

@@ -76,7 +76,7 @@ fn note<T>(result: Result<T, Refusal>, span: impl FnOnce() -> Option<Span>, erro
 
 /// Where the first user of a texture in an object stands.
 fn span_of_texture(object: &Object, texture: &Arc<Texture>) -> Option<Span> {
-    let mut own = [&object.texture, &object.interior_texture].into_iter().flatten();
+    let mut own = [&object.texture, &object.rare.interior_texture].into_iter().flatten();
     if own.any(|placed| Arc::ptr_eq(&placed.texture, texture)) {
         return Some(object.span);
     }

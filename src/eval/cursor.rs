@@ -153,6 +153,15 @@ impl Cursor {
         })
     }
 
+    /// Whether a token comes next that can be no part of an expression, with nothing to run in front of it.
+    #[inline]
+    pub(super) fn ends_expression(&self) -> bool {
+        let ends =
+            |token: &Token| matches!(token.kind, TokenKind::Punct(',' | ';' | '{' | '}') | TokenKind::Keyword(_));
+        let next = self.tokens.as_ref().and_then(|piece| piece.tokens.get(self.index));
+        self.run.is_none() && self.index < self.limit && next.is_some_and(ends)
+    }
+
     /// The next token, taken, if it is a directive in the current piece.
     #[inline]
     pub(super) fn directive(&mut self) -> Option<(Directive, Span)> {

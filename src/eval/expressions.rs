@@ -7,6 +7,7 @@
 //! Two strengths exist: `arithmetic` knows `+ - * /`, signs and components; `full` adds
 //! comparisons, `& |` and `?:`. Which place takes which: language facts, section 5.
 
+use super::cursor::Cursor;
 use super::macros::arguments_in_words;
 use super::{Evaluator, Number, Value};
 use crate::diag::{SourceResult, Span, Topic};
@@ -240,10 +241,28 @@ impl Evaluator<'_> {
     /// Levels 1 to 4: signs, components, `* / + -`.
     #[inline]
     pub(super) fn arithmetic(&mut self, n: u8) -> SourceResult<Number> {
+        if let Some(value) = self.lone_literal()? {
+            return Ok(value.widened(n));
+        }
         if let Some(value) = self.formula(false, n)? {
             return Ok(value);
         }
         self.arithmetic_by_tokens(n)
+    }
+
+    /// A literal that is all of an expression, as most are: behind it stands what cannot go on with it.
+    fn lone_literal(&mut self) -> SourceResult<Option<Number>> {
+        let literal = match self.fill(false)? {
+            TokenKind::Number(value) => Number::scalar(value),
+            TokenKind::Vector => Number { n: self.literal.1, v: self.literal.0 },
+            _ => return Ok(None),
+        };
+        if !self.cursors.last().is_some_and(Cursor::ends_expression) {
+            return Ok(None);
+        }
+        self.take();
+        self.fill(self.bare)?;
+        Ok(Some(literal))
     }
 
     pub(super) fn arithmetic_by_tokens(&mut self, n: u8) -> SourceResult<Number> {

@@ -4,12 +4,15 @@
 //! `name.channel`, as Blender, Nuke and OpenImageIO read them. A part of a picture has a data window
 //! inside the full picture's display window.
 
+use super::exr_blocks::{self, Channel, Samples};
 use super::{ImageError, Layer, Metadata, Picture};
-use exr::prelude::{
-    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, IntegerBounds, LayerAttributes,
-    LineOrder, Text, Vec2, WritableImage, attribute::AttributeValue, f16,
-};
+use exr::block::writer::ChunksWriter as _;
+use exr::meta::BlockDescription;
+use exr::meta::attribute::{ChannelDescription, LineOrder, SampleType};
+use exr::meta::header::{Header, ImageAttributes};
+use exr::prelude::{Compression, IntegerBounds, LayerAttributes, Text, Vec2, attribute::AttributeValue};
 use exr::prelude::{ReadChannels, ReadLayers};
+use half::vec::HalfFloatVecExt as _;
 use std::io::Cursor;
 use std::path::Path;
 
@@ -25,40 +28,43 @@ pub(super) fn encode_exr(
     metadata: &Metadata,
     float: bool,
 ) -> Result<Vec<u8>, ImageError> {
-    let mut channels: Vec<AnyChannel<FlatSamples>> = Vec::new();
+    let channels = channels(picture, float);
+    let describe = |channel: &Channel<'_>| {
+        let kind = if matches!(channel.samples, Samples::Half(_)) { SampleType::F16 } else { SampleType::F32 };
+        ChannelDescription::named(channel.name.clone(), kind)
+    };
+    let full = IntegerBounds::new(Vec2(0, 0), Vec2(picture.full[0], picture.full[1]));
+    let size = Vec2(picture.width, picture.height);
+    let header = Header::new(Text::default(), size, channels.iter().map(describe).collect())
+        .with_encoding(Compression::ZIP16, BlockDescription::ScanLines, LineOrder::Increasing)
+        .with_attributes(attributes(picture, metadata))
+        .with_shared_attributes(ImageAttributes::new(full));
+    let chunks = exr_blocks::blocks(&channels, [picture.width, picture.height], picture.origin[1]);
+    let mut bytes = Cursor::new(Vec::new());
+    let write = |_, writer: &mut exr::block::writer::ChunkWriter<_>| {
+        chunks.into_iter().enumerate().try_for_each(|(i, chunk)| writer.write_chunk(i, chunk))
+    };
+    exr::block::write(&mut bytes, [header].into_iter().collect(), true, write).map_err(|e| invalid(path, &e))?;
+    Ok(bytes.into_inner())
+}
+
+/// Colours and layers by name, which is the order of the format.
+fn channels(picture: &Picture, float: bool) -> Vec<Channel<'_>> {
+    let mut channels = Vec::new();
     let names = if picture.has_alpha { &["R", "G", "B", "A"][..] } else { &["R", "G", "B"] };
     for (i, &name) in names.iter().enumerate() {
-        let values = picture.pixels.iter().map(|p| p[i]);
-        let samples = if float {
-            FlatSamples::F32(values.collect())
-        } else {
-            FlatSamples::F16(values.map(f16::from_f32).collect())
-        };
-        channels.push(AnyChannel::new(name, samples));
+        let values: Vec<f32> = picture.pixels.iter().map(|p| p[i]).collect();
+        let samples = if float { Samples::Float(values.into()) } else { Samples::Half(Vec::from_f32_slice(&values)) };
+        channels.push(Channel { name: Text::from(name), samples });
     }
     for layer in &picture.layers {
         for (channel, values) in &layer.channels {
             let name = if layer.name.is_empty() { channel.clone() } else { format!("{}.{channel}", layer.name) };
-            let name = Text::from(name.as_str());
-            channels.push(AnyChannel::new(name, FlatSamples::F32(values.clone())));
+            channels.push(Channel { name: Text::from(name.as_str()), samples: Samples::Float(values.into()) });
         }
     }
-    let encoding =
-        Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
-    let layer = exr::prelude::Layer::new(
-        Vec2(picture.width, picture.height),
-        attributes(picture, metadata),
-        encoding,
-        AnyChannels::sort(channels.into_iter().collect()),
-    );
-    let mut bytes = Cursor::new(Vec::new());
-    let mut image = Image::from_layer(layer);
-    image.attributes.display_window = IntegerBounds::new(Vec2(0, 0), Vec2(picture.full[0], picture.full[1]));
-    let writer = image.write();
-    // Threads of its own, as many as there are cores, are only right where there may be more than one.
-    let writer = if rayon::current_num_threads() > 1 { writer } else { writer.non_parallel() };
-    writer.to_buffered(&mut bytes).map_err(|e| invalid(path, &e))?;
-    Ok(bytes.into_inner())
+    channels.sort_by(|a, b| a.name.cmp(&b.name));
+    channels
 }
 
 fn attributes(picture: &Picture, metadata: &Metadata) -> LayerAttributes {
@@ -151,18 +157,18 @@ fn invalid(path: &Path, error: &exr::error::Error) -> ImageError {
 mod tests {
     use super::*;
 
-    fn check(float: bool, has_alpha: bool) {
-        let mut picture = Picture::filled(3, 2, [0.25, 1.5, -0.5, 1.0]);
+    fn check([width, height]: [usize; 2], float: bool, has_alpha: bool) {
+        let mut picture = Picture::filled(width, height, [0.25, 1.5, -0.5, 1.0]);
         picture.pixels[1] = [65504.0, 0.0, 1.0, if has_alpha { 0.5 } else { 1.0 }];
         picture.has_alpha = has_alpha;
-        let depth: Vec<f32> = (0..6).map(|i| i as f32 / 3.0).collect();
+        let depth: Vec<f32> = (0..width * height).map(|i| i as f32 / 3.0).collect();
         let layer = |name: &str| Layer {
             name: name.into(),
             channels: vec![("Z".into(), depth.clone())],
             attributes: Vec::new(),
         };
         picture.layers.extend([layer(""), layer("depth")]);
-        (picture.origin, picture.full) = ([5, 7], [20, 10]);
+        (picture.origin, picture.full) = ([5, 7], [60, 50]);
         let path = Path::new("a.exr");
         let metadata = Metadata { software: "test".into(), rays: 7, ..Metadata::default() };
         let bytes = encode_exr(path, &picture, &metadata, float).unwrap();
@@ -171,8 +177,11 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read_back() {
-        check(false, false);
-        check(true, true);
+        // Too small to be packed, then three blocks that are.
+        for size in [[3, 2], [40, 37]] {
+            check(size, false, false);
+            check(size, true, true);
+        }
     }
 
     #[test]

@@ -14,6 +14,7 @@ mod atomic;
 mod cryptomatte;
 mod decode;
 mod error;
+mod exr_blocks;
 mod exr_file;
 mod flip;
 mod heatmap;

@@ -3,6 +3,7 @@
 use super::{CsgOperation, Interior, Shape, Texture};
 use crate::diag::Span;
 use crate::math::{Bounds, Transform};
+use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 /// One object statement with all its modifiers.
@@ -14,24 +15,63 @@ pub struct Object {
     pub place: Place,
     /// The texture, if the object has one of its own.
     pub texture: Option<PlacedTexture>,
-    /// What the inside of the surface looks like, if that differs.
-    pub interior_texture: Option<PlacedTexture>,
     /// `interior`, if the object has one of its own.
     pub interior: Option<Arc<Interior>>,
-    /// `clipped_by` objects, in the containing space.
-    pub clipped_by: Vec<Arc<Object>>,
-    /// `bounded_by` objects, in the containing space.
-    pub bounded_by: Vec<Arc<Object>>,
+    /// What few objects have.
+    pub rare: Rare,
     /// On/off modifiers.
     pub flags: Flags,
-    /// Photon settings: parsed, not used yet.
-    pub photons: PhotonFlags,
-    /// `radiosity { importance }`.
-    pub radiosity_importance: Option<f32>,
     /// Where the statement stands, for messages and object ids.
     pub span: Span,
     /// The identifier the object was declared under, for object layers.
     pub name: Option<Arc<str>>,
+}
+
+/// What few objects have; takes up no room in all others, where it reads as nothing said.
+#[derive(Clone, Debug, Default)]
+pub struct Rare(Option<Box<RareParts>>);
+
+/// The parts of [`Rare`].
+#[derive(Clone, Debug, Default)]
+pub struct RareParts {
+    /// What the inside of the surface looks like, if that differs.
+    pub interior_texture: Option<PlacedTexture>,
+    /// `clipped_by` objects, in the containing space.
+    pub clipped_by: Vec<Arc<Object>>,
+    /// `bounded_by` objects, in the containing space.
+    pub bounded_by: Vec<Arc<Object>>,
+    /// Photon settings: parsed, not used yet.
+    pub photons: PhotonFlags,
+    /// `radiosity { importance }`.
+    pub radiosity_importance: Option<f32>,
+}
+
+impl Deref for Rare {
+    type Target = RareParts;
+
+    fn deref(&self) -> &RareParts {
+        static NOTHING: RareParts = RareParts {
+            interior_texture: None,
+            clipped_by: Vec::new(),
+            bounded_by: Vec::new(),
+            photons: PhotonFlags::NONE,
+            radiosity_importance: None,
+        };
+        self.0.as_deref().unwrap_or(&NOTHING)
+    }
+}
+
+impl DerefMut for Rare {
+    fn deref_mut(&mut self) -> &mut RareParts {
+        self.0.get_or_insert_default()
+    }
+}
+
+impl Rare {
+    /// The parts, if there are any.
+    pub fn parts_mut(&mut self) -> Option<&mut RareParts> {
+        self.0.as_deref_mut()
+    }
 }
 
 /// A texture and where it was put.
@@ -125,13 +165,25 @@ pub struct PhotonFlags {
     pub area_light: bool,
 }
 
+impl PhotonFlags {
+    /// Nothing said.
+    pub const NONE: Self = Self {
+        target: None,
+        refraction: None,
+        reflection: None,
+        collect: None,
+        pass_through: false,
+        area_light: false,
+    };
+}
+
 impl Object {
     /// Whether it is a union that nothing holds together, so that its parts may stand alone.
     pub fn splits(&self) -> bool {
         matches!(self.shape, Shape::Csg { operation: CsgOperation::Union, .. })
             && !self.flags.keep_union
-            && self.clipped_by.is_empty()
-            && self.bounded_by.is_empty()
+            && self.rare.clipped_by.is_empty()
+            && self.rare.bounded_by.is_empty()
     }
 
     /// A bare shape in its own place.
@@ -140,13 +192,9 @@ impl Object {
             shape,
             place: Place::default(),
             texture: None,
-            interior_texture: None,
             interior: None,
-            clipped_by: Vec::new(),
-            bounded_by: Vec::new(),
+            rare: Rare::default(),
             flags: Flags::default(),
-            photons: PhotonFlags::default(),
-            radiosity_importance: None,
             span,
             name: None,
         }
@@ -157,13 +205,18 @@ impl Object {
     /// Under `uv_mapping` textures stay, as in POV-Ray.
     pub fn apply(&mut self, transform: &Transform) {
         self.place.apply(transform);
-        if !self.flags.uv_mapping {
-            for placed in [&mut self.texture, &mut self.interior_texture].into_iter().flatten() {
+        let moves = !self.flags.uv_mapping;
+        let textured = |placed: &mut Option<PlacedTexture>| {
+            if let Some(placed) = placed.as_mut().filter(|_| moves) {
                 placed.place.apply(transform);
             }
-        }
-        for other in self.clipped_by.iter_mut().chain(&mut self.bounded_by) {
-            Arc::make_mut(other).apply(transform);
+        };
+        textured(&mut self.texture);
+        if let Some(rare) = self.rare.parts_mut() {
+            textured(&mut rare.interior_texture);
+            for other in rare.clipped_by.iter_mut().chain(&mut rare.bounded_by) {
+                Arc::make_mut(other).apply(transform);
+            }
         }
         if let Some(interior) = &mut self.interior {
             Arc::make_mut(interior).apply(transform);

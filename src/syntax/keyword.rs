@@ -37,8 +37,13 @@ impl Keyword {
 
     /// The reserved word with that spelling; case matters.
     pub fn from_word(word: &str) -> Option<Self> {
-        static TABLE: OnceLock<HashMap<&'static str, Keyword, rustc_hash::FxBuildHasher>> = OnceLock::new();
-        TABLE.get_or_init(|| Self::ALL.iter().map(|k| (k.word(), *k)).collect()).get(word).copied()
+        Self::from_bytes(word.as_bytes())
+    }
+
+    /// The same for the bytes of a file.
+    pub(super) fn from_bytes(word: &[u8]) -> Option<Self> {
+        static TABLE: OnceLock<HashMap<&'static [u8], Keyword, rustc_hash::FxBuildHasher>> = OnceLock::new();
+        TABLE.get_or_init(|| Self::ALL.iter().map(|k| (k.word().as_bytes(), *k)).collect()).get(word).copied()
     }
 }
 

@@ -1,47 +1,48 @@
-//! From a piece of text to tokens, through the pest grammar.
+//! From text to tokens, through the pest grammar.
 //!
-//! The grammar decides what a token is. Words, numbers, vectors and punctuation, nearly all of a
-//! scene, are recognised by a shortcut beside it; a test holds the two together.
+//! The grammar decides what a token is. Nearly all of a scene is recognised by a shortcut beside it; a test holds the
+//! two together. A file is read in pieces, each when the evaluator gets there: a file of 100 MB never stands in
+//! memory as tokens.
 
-use super::pieces::{Piece, PieceKind, comment_end};
+use super::numbers::number;
 use super::vectors::{run_end, skip_blanks};
 use super::{Directive, Keyword, Malformed, Names, Token, TokenKind};
 use crate::diag::{FileId, Span};
 use pest::Parser as _;
-use std::borrow::Cow;
 
 /// The parser that pest makes from the grammar.
 #[derive(pest_derive::Parser)]
 #[grammar = "../grammar/tokens.pest"]
 struct TokenParser;
 
+/// Bytes of source text in one piece, about. Small enough that its tokens stay in the second cache, large enough that
+/// its fixed costs do not count.
+const PIECE: usize = 1 << 13;
+
 /// Longest string and identifier, in bytes of source text.
 const MAX_LENGTH: usize = 255;
 
-/// Writes the tokens of one piece of `text` in place of what `tokens` holds.
-pub(super) fn tokenise(file: FileId, text: &[u8], piece: Piece, names: &mut Names, tokens: &mut Vec<Token>) {
+/// Deepest nesting of comments.
+const MAX_COMMENT_DEPTH: usize = 64;
+
+/// Writes the tokens of the piece of `text` that begins at `start` in place of what `tokens` holds; gives back where
+/// the next piece begins, which is between two tokens.
+pub(super) fn tokenise(file: FileId, text: &[u8], start: usize, names: &mut Names, tokens: &mut Vec<Token>) -> usize {
     tokens.clear();
     let span = |start: usize, end: usize| Span { file, start: start as u32, end: end as u32 };
-    let whole = |kind| Token { kind, span: span(piece.start, piece.end) };
-    match piece.kind {
-        PieceKind::Blank => {}
-        PieceKind::Vectors => tokens.push(whole(TokenKind::Vectors)),
-        PieceKind::DeepComment => tokens.push(whole(TokenKind::Bad(Malformed::DeepComment))),
-        PieceKind::Text => {
-            let readable = readable(&text[piece.start..piece.end]);
-            let mut at = skip_blanks(readable.as_bytes(), 0);
-            while at < readable.len() {
-                let Some(step) = plain(readable.as_bytes(), at).or_else(|| by_grammar(&readable, at)) else {
-                    tokens.clear();
-                    return tokens.push(whole(TokenKind::Bad(Malformed::Character)));
-                };
-                if let Some(kind) = kind(step.rule, &readable[step.start..step.end], names) {
-                    tokens.push(Token { kind, span: span(piece.start + step.start, piece.start + step.end) });
-                }
-                at = skip_blanks(readable.as_bytes(), step.end);
-            }
+    let end = text.len().min(start + PIECE);
+    let mut at = skip_blanks(text, start);
+    while at < end {
+        let Some(step) = plain(text, at).or_else(|| by_grammar(text, at)) else {
+            tokens.push(Token { kind: TokenKind::Bad(Malformed::DeepComment), span: span(at, text.len()) });
+            return text.len();
+        };
+        if let Some(kind) = kind(step.rule, &text[step.start..step.end], names) {
+            tokens.push(Token { kind, span: span(step.start, step.end) });
         }
+        at = skip_blanks(text, step.end);
     }
+    at
 }
 
 /// A match of a token's rule, or of `gap`.
@@ -52,13 +53,29 @@ struct Step {
     end: usize,
 }
 
-/// One step of the grammar.
-fn by_grammar(text: &str, at: usize) -> Option<Step> {
-    let one = TokenParser::parse(Rule::one, &text[at..]).ok()?.next()?;
+/// One step of the grammar; `None` for comments that nest too deeply for it.
+fn by_grammar(text: &[u8], at: usize) -> Option<Step> {
+    let window = window(text, at)?;
+    let one = TokenParser::parse(Rule::one, window).ok()?.next()?;
     let end = at + one.as_span().end();
     let token = one.into_inner().next();
     let (rule, start) = token.map_or((Rule::gap, at), |t| (t.as_rule(), at + t.as_span().start()));
     Some(Step { rule, start, end })
+}
+
+/// As much of the text as the grammar has to see of what the shortcut leaves to it: a number with what follows, or
+/// one character, which has no meaning where it is not UTF-8.
+fn window(text: &[u8], at: usize) -> Option<&str> {
+    const MEANINGLESS: &str = "\u{7f}";
+    match text[at] {
+        // Of these the shortcut leaves only comments that nest too deeply.
+        b'/' | b'#' => None,
+        b'0'..=b'9' | b'.' => std::str::from_utf8(&text[at..=number_end(text, at)]).ok(),
+        _ => {
+            let valid = text[at..text.len().min(at + 4)].utf8_chunks().next()?.valid();
+            Some(valid.chars().next().map_or(MEANINGLESS, |first| &valid[..first.len_utf8()]))
+        }
+    }
 }
 
 /// One step for tokens that a glance decides, exactly as the grammar takes it; `None` leaves it
@@ -67,12 +84,11 @@ fn plain(text: &[u8], start: usize) -> Option<Step> {
     let next = text.get(start + 1).copied().unwrap_or(0);
     let step = |rule, end| Some(Step { rule, start, end });
     match text[start] {
-        b'/' if next == b'/' => step(Rule::gap, end_of(text, start, |b| !matches!(b, b'\n' | b'\r'))),
+        b'/' if next == b'/' => step(Rule::gap, line_end(text, start)),
         b'/' if next == b'*' => block_comment(text, start),
         b'"' => string(text, start),
         b'a'..=b'z' | b'A'..=b'Z' | b'_' => step(Rule::word, end_of(text, start, is_word)),
-        b'#' if next.is_ascii_alphabetic() || next == b'_' => step(Rule::directive, end_of(text, start + 1, is_word)),
-        b'#' => None,
+        b'#' => directive(text, start),
         b'0'..=b'9' => plain_number(text, start),
         b'.' if next.is_ascii_digit() => plain_number(text, start),
         b'<' => match run_end(text, start) {
@@ -87,8 +103,40 @@ fn plain(text: &[u8], start: usize) -> Option<Step> {
     }
 }
 
+/// A hash mark with the word behind it, if there is one.
+fn directive(text: &[u8], start: usize) -> Option<Step> {
+    let word = gap_end(text, start + 1)?;
+    match text.get(word) {
+        Some(b'a'..=b'z' | b'A'..=b'Z' | b'_') => {
+            Some(Step { rule: Rule::directive, start, end: end_of(text, word, is_word) })
+        }
+        _ => Some(Step { rule: Rule::punctuation, start, end: start + 1 }),
+    }
+}
+
+/// Where blanks and closed comments end; `None` if one nests too deeply.
+fn gap_end(text: &[u8], mut at: usize) -> Option<usize> {
+    loop {
+        at = match &text[at..] {
+            [b' ' | b'\n' | b'\t' | b'\r' | b'\x0c' | b'\0' | b'\x1a', ..] => at + 1,
+            [b'/', b'/', ..] => line_end(text, at),
+            [b'/', b'*', ..] => match comment_end(text, at)? {
+                (end, true) => end,
+                _ => return Some(at),
+            },
+            _ => return Some(at),
+        };
+    }
+}
+
 /// A number with no second decimal point behind it.
 fn plain_number(text: &[u8], start: usize) -> Option<Step> {
+    let end = number_end(text, start);
+    (text.get(end) != Some(&b'.')).then_some(Step { rule: Rule::number, start, end })
+}
+
+/// One past an unsigned number; an exponent needs no digits.
+fn number_end(text: &[u8], start: usize) -> usize {
     let mut end = end_of(text, start, |b| b.is_ascii_digit());
     if text.get(end) == Some(&b'.') {
         end = end_of(text, end + 1, |b| b.is_ascii_digit());
@@ -97,13 +145,44 @@ fn plain_number(text: &[u8], start: usize) -> Option<Step> {
         let signed = matches!(text.get(end + 1), Some(b'+' | b'-'));
         end = end_of(text, end + 1 + usize::from(signed), |b| b.is_ascii_digit());
     }
-    (text.get(end) != Some(&b'.')).then_some(Step { rule: Rule::number, start, end })
+    end
+}
+
+/// The line end that closes a comment, or the end of the text.
+fn line_end(text: &[u8], start: usize) -> usize {
+    end_of(text, start, |b| !matches!(b, b'\n' | b'\r'))
 }
 
 /// A comment that is closed, or else the rest of the text.
 fn block_comment(text: &[u8], start: usize) -> Option<Step> {
     let (end, closed) = comment_end(text, start)?;
     Some(Step { rule: if closed { Rule::gap } else { Rule::bad_comment }, start, end })
+}
+
+/// One past the end of a nesting comment, or the end of the text, and whether it is closed; `None` if it nests too
+/// deeply.
+fn comment_end(text: &[u8], start: usize) -> Option<(usize, bool)> {
+    let (mut at, mut depth) = (start, 0);
+    while at + 1 < text.len() {
+        match (text[at], text[at + 1]) {
+            (b'/', b'*') => {
+                depth += 1;
+                at += 2;
+                if depth > MAX_COMMENT_DEPTH {
+                    return None;
+                }
+            }
+            (b'*', b'/') => {
+                depth -= 1;
+                at += 2;
+                if depth == 0 {
+                    return Some((at, true));
+                }
+            }
+            _ => at += 1,
+        }
+    }
+    Some((text.len(), false))
 }
 
 /// A string that is closed, or else the rest of the text.
@@ -120,40 +199,39 @@ fn string(text: &[u8], start: usize) -> Option<Step> {
     Some(Step { rule: Rule::bad_string, start, end: text.len() })
 }
 
+/// By byte, whether it may stand in a word.
+const IN_WORDS: [bool; 256] = {
+    let mut table = [false; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        table[byte] = (byte as u8).is_ascii_alphanumeric() || byte as u8 == b'_';
+        byte += 1;
+    }
+    table
+};
+
 fn is_word(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || byte == b'_'
+    IN_WORDS[usize::from(byte)]
 }
 
 /// Where bytes that `belong` end.
-fn end_of(text: &[u8], start: usize, belong: impl Fn(u8) -> bool) -> usize {
-    text[start..].iter().position(|b| !belong(*b)).map_or(text.len(), |n| start + n)
-}
-
-/// The text with every byte that is not UTF-8 replaced by one that has no meaning, so that
-/// offsets stay the same.
-fn readable(text: &[u8]) -> Cow<'_, str> {
-    const STAND_IN: char = '\u{7f}';
-    match std::str::from_utf8(text) {
-        Ok(valid) => Cow::Borrowed(valid),
-        Err(_) => {
-            let mut out = String::with_capacity(text.len());
-            for chunk in text.utf8_chunks() {
-                out.push_str(chunk.valid());
-                out.extend(chunk.invalid().iter().map(|_| STAND_IN));
-            }
-            Cow::Owned(out)
-        }
+#[inline]
+fn end_of(text: &[u8], mut at: usize, belong: impl Fn(u8) -> bool) -> usize {
+    while text.get(at).is_some_and(|b| belong(*b)) {
+        at += 1;
     }
+    at
 }
 
 /// The token of a matched rule.
-fn kind(rule: Rule, text: &str, names: &mut Names) -> Option<TokenKind> {
+fn kind(rule: Rule, text: &[u8], names: &mut Names) -> Option<TokenKind> {
     Some(match rule {
-        Rule::number => TokenKind::Number(number(text)),
+        // An exponent without digits counts as none.
+        Rule::number => TokenKind::Number(number(text).map_or(0.0, |(value, _)| value)),
         Rule::word => word(text, names),
         Rule::directive => {
-            let name = text.rsplit(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or("");
-            match Keyword::from_word(name).and_then(Directive::from_keyword) {
+            let name = text.rsplit(|b| !is_word(*b)).next().unwrap_or_default();
+            match Keyword::from_bytes(name).and_then(Directive::from_keyword) {
                 Some(directive) => TokenKind::Directive(directive),
                 None => word(name, names),
             }
@@ -161,8 +239,8 @@ fn kind(rule: Rule, text: &str, names: &mut Names) -> Option<TokenKind> {
         Rule::string if text.len() > MAX_LENGTH + 2 => TokenKind::Bad(Malformed::LongString),
         Rule::string => TokenKind::String,
         Rule::vectors => TokenKind::Vectors,
-        Rule::or_equal => TokenKind::OrEqual(text.chars().next()?),
-        Rule::punctuation => TokenKind::Punct(text.chars().next()?),
+        Rule::or_equal => TokenKind::OrEqual(char::from(text[0])),
+        Rule::punctuation => TokenKind::Punct(char::from(text[0])),
         Rule::bad_number => TokenKind::Bad(Malformed::Number),
         Rule::bad_string => TokenKind::Bad(Malformed::String),
         Rule::bad_comment => TokenKind::Bad(Malformed::Comment),
@@ -171,31 +249,23 @@ fn kind(rule: Rule, text: &str, names: &mut Names) -> Option<TokenKind> {
     })
 }
 
-fn word(text: &str, names: &mut Names) -> TokenKind {
-    match Keyword::from_word(text) {
+fn word(text: &[u8], names: &mut Names) -> TokenKind {
+    match Keyword::from_bytes(text) {
         Some(keyword) => TokenKind::Keyword(keyword),
         None if text.len() > MAX_LENGTH => TokenKind::Bad(Malformed::LongName),
-        None => TokenKind::Name(names.intern(text)),
+        // Words are letters, digits and underscores.
+        None => TokenKind::Name(names.intern(std::str::from_utf8(text).unwrap_or_default())),
     }
-}
-
-/// The value of a number; an exponent without digits counts as none. Too large is infinite.
-fn number(text: &str) -> f64 {
-    fast_float2::parse_partial::<f64, _>(text).map_or(0.0, |(value, _)| value)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::syntax::pieces::next_piece;
 
     fn check(text: &str, expected: &str) {
         let mut names = Names::default();
-        let piece = next_piece(text.as_bytes(), 0);
         let mut tokens = Vec::new();
-        if let Some(piece) = piece {
-            tokenise(FileId(0), text.as_bytes(), piece, &mut names, &mut tokens);
-        }
+        tokenise(FileId(0), text.as_bytes(), 0, &mut names, &mut tokens);
         let shown: Vec<String> = tokens
             .iter()
             .map(|t| match t.kind {
@@ -227,6 +297,15 @@ mod tests {
         check("1<=2>=3!=4 a'b", "1 <= 2 >= 3 != 4 'a ' 'b");
     }
 
+    /// The first step of the grammar when it sees all of a text.
+    fn whole(text: &str) -> Option<Step> {
+        let one = TokenParser::parse(Rule::one, text).ok()?.next()?;
+        let end = one.as_span().end();
+        let token = one.into_inner().next();
+        let (rule, start) = token.map_or((Rule::gap, 0), |t| (t.as_rule(), t.as_span().start()));
+        Some(Step { rule, start, end })
+    }
+
     #[test]
     fn the_shortcut_agrees_with_the_grammar() {
         // Every short text over the characters that matter to the shortcut, then longer ones.
@@ -240,9 +319,9 @@ mod tests {
         let strings =
             ["\"\"", "\"a\\\"b\" c", "\"a\\", "\"a\\\nb\"", "\"\u{e9}\\\u{e9}\"", "\"a\nb", "/* /* */ x", "/*/**/*/ 1"];
         for text in short.chain(long.map(String::from)).chain(strings.map(String::from)) {
-            let Some(step) = plain(text.as_bytes(), 0) else { continue };
+            let Some(step) = plain(text.as_bytes(), 0).or_else(|| by_grammar(text.as_bytes(), 0)) else { continue };
             // The grammar takes a gap whole, the shortcut in parts.
-            match by_grammar(&text, 0) {
+            match whole(&text) {
                 Some(expected) if step.rule != Rule::gap => assert_eq!(step, expected, "{text:?}"),
                 found => assert!(found.is_some_and(|f| f.start >= step.end || f.rule == Rule::gap), "{text:?}"),
             }
@@ -263,5 +342,22 @@ mod tests {
         check("\u{e9}", "Bad(Character)");
         check(&format!("\"{}\"", "a".repeat(256)), "Bad(LongString)");
         check(&"a".repeat(256), "Bad(LongName)");
+        check(&"/*".repeat(1000), "Bad(DeepComment)");
+    }
+
+    #[test]
+    fn pieces_end_between_tokens() {
+        let turn = "# \n declare \"x # \\\" /* < \n\" /* \" # \n */ // \" <\n <1, 2>,\n <3, 4> a < b ";
+        let text = turn.repeat(20 * PIECE / turn.len());
+        let (mut names, mut start, mut n_pieces) = (Names::default(), 0, 0);
+        let (mut found, mut piece) = (Vec::new(), Vec::new());
+        while start < text.len() {
+            start = tokenise(FileId(0), text.as_bytes(), start, &mut names, &mut piece);
+            found.extend(piece.iter().map(|token| token.kind));
+            n_pieces += 1;
+        }
+        tokenise(FileId(0), turn.as_bytes(), 0, &mut names, &mut piece);
+        assert!(n_pieces > 10 && piece.len() == 6, "{n_pieces} {piece:?}");
+        assert!(found.chunks(piece.len()).all(|turn| turn.iter().eq(piece.iter().map(|token| &token.kind))));
     }
 }

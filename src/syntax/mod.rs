@@ -1,7 +1,7 @@
 //! Text to tokens: the grammar, and files as runs of tokens that know where their blocks end.
 //!
 //! ```text
-//! bytes -> pieces (a scanner) -> tokens (pest, grammar/tokens.pest) -> Source
+//! bytes -> tokens, in pieces (pest, grammar/tokens.pest) -> Source
 //! ```
 //!
 //! In this language directives and macro calls may stand between any two tokens: a brace
@@ -25,7 +25,7 @@ mod keyword;
 mod lexer;
 mod memo;
 mod names;
-mod pieces;
+mod numbers;
 mod source;
 mod token;
 pub mod vectors;

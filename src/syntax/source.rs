@@ -3,7 +3,6 @@
 use super::formula::{self, Formula, Statement};
 use super::lexer::tokenise;
 use super::memo::Memo;
-use super::pieces::{self, next_piece};
 use super::{Directive, Names, Symbol, Token, TokenKind};
 use crate::diag::FileId;
 use rustc_hash::FxHashMap;
@@ -76,7 +75,8 @@ impl Piece {
 
 #[derive(Debug, Default)]
 struct Parsed {
-    pieces: Vec<pieces::Piece>,
+    /// Of the pieces that were met.
+    ends: Vec<usize>,
     tokens: Vec<Option<Rc<Piece>>>,
     kept: VecDeque<usize>,
     /// Where the branch that starts at a position ends.
@@ -108,21 +108,35 @@ impl Source {
 
     /// The tokens of piece number `index`; `None` past the end of the file.
     pub fn tokens(&self, index: usize, names: &mut Names) -> Option<Rc<Piece>> {
-        let parsed = &mut *self.parsed.borrow_mut();
-        if let Some(Some(tokens)) = parsed.tokens.get(index) {
+        if let Some(Some(tokens)) = self.parsed.borrow().tokens.get(index) {
             return Some(Rc::clone(tokens));
         }
-        while parsed.pieces.len() <= index {
-            let start = parsed.pieces.last().map_or_else(|| byte_order_mark(&self.text), |p| p.end);
-            parsed.pieces.push(next_piece(&self.text, start)?);
+        // A piece begins where the one before ends.
+        let start = match index.checked_sub(1) {
+            None => byte_order_mark(&self.text),
+            Some(before) => self.end_of(before, names)?,
+        };
+        if start >= self.text.len() {
+            return None;
+        }
+        let parsed = &mut *self.parsed.borrow_mut();
+        let mut room = parsed.room();
+        let end = tokenise(self.file, &self.text, start, names, &mut room);
+        if parsed.ends.len() == index {
+            parsed.ends.push(end);
             parsed.tokens.push(None);
         }
-        let mut room = parsed.room();
-        tokenise(self.file, &self.text, parsed.pieces[index], names, &mut room);
         let tokens = Rc::new(Piece::new(room));
         parsed.tokens[index] = Some(Rc::clone(&tokens));
         parsed.kept.push_back(index);
         Some(tokens)
+    }
+
+    fn end_of(&self, piece: usize, names: &mut Names) -> Option<usize> {
+        if self.parsed.borrow().ends.len() <= piece {
+            self.tokens(piece, names)?;
+        }
+        self.parsed.borrow().ends.get(piece).copied()
     }
 
     /// The directive that ends the branch which starts at `start` (an `#else`, `#elseif`, `#case`,

@@ -4,6 +4,8 @@
 //! runs are recognised here without the parser, kept as one token, and turned into
 //! numbers one vector at a time when they are asked for.
 
+use super::numbers::number;
+
 /// Where the run of vectors that starts at `start` ends; `None` if none starts there.
 ///
 /// Accepts exactly what the rule `vectors` of the grammar accepts.
@@ -27,14 +29,13 @@ pub fn read_vector(text: &[u8], start: usize) -> ([f64; 5], u8, usize) {
     let (mut components, mut n, mut at) = ([0.0; 5], 0, start + 1);
     loop {
         at = skip_blanks(text, at);
-        let unsigned = if text.get(at) == Some(&b'+') { at + 1 } else { at };
-        let Ok((value, length)) = fast_float2::parse_partial::<f64, _>(&text[unsigned..]) else { break };
+        let Some((value, length)) = number(&text[at..]) else { break };
         if n < 5 {
             components[n] = value;
             n += 1;
         }
-        at = skip_blanks(text, unsigned + length) + 1;
-        if length == 0 || text.get(at - 1) != Some(&b',') {
+        at = skip_blanks(text, at + length) + 1;
+        if text.get(at - 1) != Some(&b',') {
             break;
         }
     }

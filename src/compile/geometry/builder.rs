@@ -13,8 +13,8 @@ use crate::compiled::geometry::{
     Operation, Parts, Primitive, Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
-use crate::math::{Bounds, DVec3, Transform};
-use crate::scene::{CsgOperation, Interior, Object, PlacedTexture, Shape, Texture};
+use crate::math::{Bounds, DVec3};
+use crate::scene::{CsgOperation, Interior, Object, Shape, Texture};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -23,7 +23,7 @@ const SHARED_WEIGHT: u64 = 6;
 
 /// Whether contents used more than once can be built once, as far as the object that holds them decides.
 pub(super) fn can_be_shared(facts: Entry, object: &Object, splits: bool) -> bool {
-    let plain = splits || (object.clipped_by.is_empty() && object.bounded_by.is_empty());
+    let plain = splits || (object.rare.clipped_by.is_empty() && object.rare.bounded_by.is_empty());
     facts.uses > 1 && facts.weight >= SHARED_WEIGHT && !facts.light_groups && plain
 }
 
@@ -43,6 +43,8 @@ pub(super) struct Builder<'a> {
     pub(super) texture_ids: FxHashMap<*const Texture, TextureId>,
     pub(super) layered_ids: FxHashMap<TextureParts, TextureId>,
     pub(super) placement_ids: FxHashMap<(TextureId, [[u64; 3]; 4]), u32>,
+    /// Of textures where they were written, as most are.
+    pub(super) unmoved_ids: FxHashMap<*const Texture, u32>,
     pub(super) interiors: Vec<Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
     pub(super) height_grids: FxHashMap<*const crate::scene::HeightField, Arc<crate::compiled::geometry::HeightGrid>>,
@@ -51,7 +53,6 @@ pub(super) struct Builder<'a> {
     pub(super) errors: Vec<Diagnostic>,
     pub(super) labeler: Labeler,
     default_interior: Arc<Interior>,
-    last_default: Option<(*const Texture, u32)>,
     shared: FxHashMap<(*const Arc<Object>, u8), Shared>,
     n_light_groups: u32,
 }
@@ -72,6 +73,7 @@ impl<'a> Builder<'a> {
             texture_ids: FxHashMap::default(),
             layered_ids: FxHashMap::default(),
             placement_ids: FxHashMap::default(),
+            unmoved_ids: FxHashMap::default(),
             interiors: Vec::with_capacity(n_objects),
             meshes: FxHashMap::default(),
             height_grids: FxHashMap::default(),
@@ -79,7 +81,6 @@ impl<'a> Builder<'a> {
             errors: Vec::new(),
             labeler: Labeler::default(),
             default_interior: Arc::default(),
-            last_default: None,
             shared: FxHashMap::default(),
             n_light_groups: 0,
         }
@@ -88,20 +89,8 @@ impl<'a> Builder<'a> {
     /// Places a frame-level object.
     pub(super) fn place_root(&mut self, object: &Object, default: &Arc<Texture>, split: bool, items: &mut Members) {
         let mut around = Context::bare();
-        around.default_texture = Some(self.default_placement(default));
+        around.default_texture = Some(self.unmoved(default));
         self.place_frame(object, around, split, items);
-    }
-
-    /// A default texture where it was written; most objects have that of the object before.
-    fn default_placement(&mut self, default: &Arc<Texture>) -> u32 {
-        match self.last_default {
-            Some((texture, placement)) if texture == Arc::as_ptr(default) => placement,
-            _ => {
-                let placement = self.placement(&PlacedTexture::new(Arc::clone(default)), &Transform::IDENTITY, false);
-                self.last_default = Some((Arc::as_ptr(default), placement));
-                placement
-            }
-        }
     }
 
     /// An object at frame level, or a member of a light group: owns an interior.
@@ -152,7 +141,7 @@ impl<'a> Builder<'a> {
                     self.place_solid(object, around, items);
                 }
             }
-            _ if object.clipped_by.is_empty() && !is_bounded(object) => {
+            _ if object.rare.clipped_by.is_empty() && !is_bounded(object) => {
                 let inside = self.enter(object, around);
                 let id = self.labeler.object_id();
                 if let Some(index) = self.primitive(object, &inside, id) {
@@ -167,6 +156,7 @@ impl<'a> Builder<'a> {
         let primitive = &self.geometry.primitives[index as usize];
         let kind = match (&primitive.shape, &primitive.group_from_local) {
             (Compiled::Sphere(sphere), None) => ItemKind::Sphere(*sphere, index),
+            (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, index),
             _ => ItemKind::Primitive(index),
         };
         if !inside.skips().skips_all() {
@@ -276,9 +266,10 @@ impl<'a> Builder<'a> {
         }
         // Clips and bounds stand in the space around the object and keep their own inversions.
         let clip_context = Context { group_from_parent: around.group_from_parent, ..Context::bare() };
-        node.clips = object.clipped_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
+        node.clips = object.rare.clipped_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
         if (!is_root || keeps_bounds(&object.shape)) && !object.flags.bounds_are_clips {
-            node.bounded_by = object.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
+            node.bounded_by =
+                object.rare.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
         }
         for clip in &node.clips {
             let clip = &self.geometry.nodes[*clip as usize];
@@ -428,7 +419,7 @@ fn keeps_bounds(shape: &Shape) -> bool {
 
 /// Whether bounds hide something of a primitive at frame level.
 fn is_bounded(object: &Object) -> bool {
-    let has_bounds = !object.bounded_by.is_empty() && !object.flags.bounds_are_clips;
+    let has_bounds = !object.rare.bounded_by.is_empty() && !object.flags.bounds_are_clips;
     has_bounds && (keeps_bounds(&object.shape) || super::extent::shrunken(object).is_some())
 }
 

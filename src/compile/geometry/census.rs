@@ -41,7 +41,7 @@ impl Census {
                 .push(Diagnostic::error(object.span, message).hint("build fewer levels, with more objects in each"));
             return Entry::default();
         }
-        for other in object.clipped_by.iter().chain(&object.bounded_by) {
+        for other in object.rare.clipped_by.iter().chain(&object.rare.bounded_by) {
             self.count_once(other, depth + 1);
         }
         let mut entry = match &object.shape {

@@ -102,7 +102,7 @@ impl<'c> Copies<'c> {
             Shape::LightSource(light) => light.looks_like.as_ref(),
             _ => None,
         };
-        let all = children.iter().chain(looks).chain(&object.clipped_by).chain(&object.bounded_by);
+        let all = children.iter().chain(looks).chain(&object.rare.clipped_by).chain(&object.rare.bounded_by);
         let n = all.fold(1_u64, |n, one| n.saturating_add(self.solid(one)));
         self.solids.insert(object, n);
         n
@@ -112,5 +112,5 @@ impl<'c> Copies<'c> {
 /// Whether an object holds no other, as most do: nothing is worth remembering of it.
 fn is_single(object: &Object) -> bool {
     let holds = matches!(object.shape, Shape::Csg { .. } | Shape::LightGroup { .. } | Shape::LightSource(_));
-    !holds && object.clipped_by.is_empty() && object.bounded_by.is_empty()
+    !holds && object.rare.clipped_by.is_empty() && object.rare.bounded_by.is_empty()
 }

@@ -47,7 +47,7 @@ fn extent_with(object: &Object, known: &mut Known) -> Bounds {
         shape => leaf(shape, &object.place.transform(), object),
     };
     let own = single(&own);
-    [&object.bounded_by, &object.clipped_by].into_iter().fold(own, |own, limits| {
+    [&object.rare.bounded_by, &object.rare.clipped_by].into_iter().fold(own, |own, limits| {
         let limits = limits.iter().filter(|o| !o.flags.inverse);
         let common = limits.fold(Bounds::INFINITE, |sum, o| sum.intersection(&as_limit(o, false, known)));
         if volume(&common) < volume(&own) { single(&common) } else { own }
@@ -57,10 +57,10 @@ fn extent_with(object: &Object, known: &mut Known) -> Bounds {
 /// The box to which `bounded_by` cuts down that of a primitive, if it does: rays that miss it miss the
 /// primitive, whatever reaches out of it.
 pub(super) fn shrunken(object: &Object) -> Option<Bounds> {
-    if object.bounded_by.is_empty() || matches!(object.shape, Shape::Csg { .. }) {
+    if object.rare.bounded_by.is_empty() || matches!(object.shape, Shape::Csg { .. }) {
         return None;
     }
-    let limits = object.bounded_by.iter().filter(|o| !o.flags.inverse);
+    let limits = object.rare.bounded_by.iter().filter(|o| !o.flags.inverse);
     let known = &mut Known::default();
     let common = limits.fold(Bounds::INFINITE, |sum, o| sum.intersection(&as_limit(o, false, known)));
     let own = single(&leaf(&object.shape, &object.place.transform(), object));
@@ -104,7 +104,7 @@ fn combined(operation: CsgOperation, children: &[Arc<Object>], known: &mut Known
 /// axes. Nothing is known of what is inverted; a plane absorbs that.
 fn as_limit(object: &Arc<Object>, cut: bool, known: &mut Known) -> Bounds {
     let mut inverse = object.flags.inverse != cut;
-    if matches!(object.shape, Shape::Plane { .. }) && object.clipped_by.is_empty() {
+    if matches!(object.shape, Shape::Plane { .. }) && object.rare.clipped_by.is_empty() {
         let folded = fold(&object.shape, object.place.transform(), &mut inverse);
         let Some(Compiled::Plane(plane)) = folded.map(|f| f.shape) else { return Bounds::INFINITE };
         return half_space(plane.normal, plane.distance);

@@ -15,7 +15,7 @@ pub(super) fn collect_lights(
     census: &Census,
     out: &mut CompiledGeometry,
 ) {
-    let world_from_shape = object.place.then(world_from_parent);
+    let world_from_shape = || object.place.then(world_from_parent);
     match &object.shape {
         Shape::LightSource(light) => {
             // The light moved along with its object already; what contains it has not moved it.
@@ -27,6 +27,7 @@ pub(super) fn collect_lights(
         }
         // Only direct members belong to a group: in a union inside it they are global.
         Shape::Csg { children, .. } if census.of(children).lights > 0 || census.of(children).light_groups => {
+            let world_from_shape = world_from_shape();
             for child in children.iter() {
                 collect_lights(child, &world_from_shape, None, census, out);
             }
@@ -37,6 +38,7 @@ pub(super) fn collect_lights(
             let outer = group.and_then(|g| out.light_groups.get(g.0 as usize));
             let global_lights = outer.map_or(*global_lights, |outer| outer.global_lights);
             out.light_groups.push(LightGroup { global_lights });
+            let world_from_shape = world_from_shape();
             for child in children.iter() {
                 collect_lights(child, &world_from_shape, Some(id), census, out);
             }

@@ -81,7 +81,7 @@ impl Builder<'_> {
     /// `group_from_parent` becomes that of the object's contents.
     pub(super) fn enter(&mut self, object: &Object, around: &Context) -> Context {
         let flags = &object.flags;
-        let lacks_one = object.texture.is_none() || object.interior_texture.is_none();
+        let lacks_one = object.texture.is_none() || object.rare.interior_texture.is_none();
         let uv_mapping = flags.uv_mapping || (around.uv_mapping && lacks_one);
         let place = &around.group_from_parent;
         let hollow = flags.hollow.or(around.hollow);
@@ -89,7 +89,7 @@ impl Builder<'_> {
             placed.as_ref().map(|p| builder.placement(p, place, flags.uv_mapping))
         };
         let texture = own(self, &object.texture);
-        let interior_texture = own(self, &object.interior_texture);
+        let interior_texture = own(self, &object.rare.interior_texture);
         let interior = object.interior.as_ref().map(|i| {
             let is_hollow = last_hollow(object, around.hollow);
             self.interior(Arc::clone(i), is_hollow)
@@ -112,15 +112,34 @@ impl Builder<'_> {
     }
 
     /// Notes a texture in a place, or finds the same one.
-    pub(super) fn placement(&mut self, placed: &PlacedTexture, group_from_parent: &Transform, fixed: bool) -> u32 {
+    fn placement(&mut self, placed: &PlacedTexture, group_from_parent: &Transform, fixed: bool) -> u32 {
+        if placed.place.is_identity() && (fixed || group_from_parent.is_identity()) {
+            return self.unmoved(&placed.texture);
+        }
         let texture = self.texture(&placed.texture);
         // Under uv mapping textures do not move with anything.
         let forward = if fixed { placed.place.transform() } else { placed.place.then(group_from_parent) };
-        let m = forward.linear();
-        let key = [m.x_axis, m.y_axis, m.z_axis, forward.origin()].map(|v| v.to_array().map(f64::to_bits));
+        self.placement_of(texture, &forward)
+    }
+
+    /// The same for a texture where it was written.
+    pub(super) fn unmoved(&mut self, texture: &Arc<Texture>) -> u32 {
+        if let Some(known) = self.unmoved_ids.get(&Arc::as_ptr(texture)) {
+            return *known;
+        }
+        let id = self.texture(texture);
+        let placement = self.placement_of(id, &Transform::IDENTITY);
+        self.unmoved_ids.insert(Arc::as_ptr(texture), placement);
+        placement
+    }
+
+    fn placement_of(&mut self, texture: TextureId, group_from_texture: &Transform) -> u32 {
+        let m = group_from_texture.linear();
+        let columns = [m.x_axis, m.y_axis, m.z_axis, group_from_texture.origin()];
+        let key = columns.map(|v| v.to_array().map(f64::to_bits));
         let placements = &mut self.geometry.placements;
         *self.placement_ids.entry((texture, key)).or_insert_with(|| {
-            placements.push(Placement { texture, texture_from_group: forward.inverse() });
+            placements.push(Placement { texture, texture_from_group: group_from_texture.inverse() });
             placements.len() as u32 - 1
         })
     }

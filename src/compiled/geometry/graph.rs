@@ -8,7 +8,7 @@
 use super::bvh::{Box32, Bvh};
 use super::parts::Parts;
 use super::record::{InteriorId, LightGroupId, ObjectId, RayKind, TextureId};
-use super::shape::{Primitive as _, Shape, Sphere};
+use super::shape::{Plane, Primitive as _, Shape, Sphere};
 use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
 
@@ -26,14 +26,19 @@ impl Skips {
         Self(bit(no_image, Self::IMAGE) | bit(no_reflection, Self::REFLECTION) | bit(no_shadow, Self::SHADOW))
     }
 
-    pub(crate) fn skips(self, kind: RayKind) -> bool {
-        let mask = match kind {
+    /// What passes a kind of ray by, of all that may.
+    pub(crate) fn of(kind: RayKind) -> Self {
+        Self(match kind {
             RayKind::Camera | RayKind::Refracted => Self::IMAGE,
             RayKind::Reflected => Self::REFLECTION,
             RayKind::Shadow => Self::SHADOW,
             RayKind::Probe => 0,
-        };
-        self.0 & mask != 0
+        })
+    }
+
+    /// Whether they have a kind of ray in common.
+    pub(crate) fn meets(self, other: Self) -> bool {
+        self.0 & other.0 != 0
     }
 
     /// Whether no kind of ray sees it.
@@ -47,6 +52,8 @@ impl Skips {
 pub(crate) enum ItemKind {
     /// A sphere in the group's own space, the data at hand.
     Sphere(Sphere, u32),
+    /// The same for a plane, which every ray tries.
+    Plane(Plane, u32),
     /// Any other primitive without clips.
     Primitive(u32),
     /// A tree of nodes.

@@ -43,7 +43,9 @@ impl Geometry {
         found: &mut impl FnMut(&Self, &Item, &Path) -> bool,
     ) -> bool {
         let inside = match &item.kind {
-            ItemKind::Sphere(_, p) | ItemKind::Primitive(p) => self.primitive_contains(*p, point),
+            ItemKind::Sphere(_, p) | ItemKind::Plane(_, p) | ItemKind::Primitive(p) => {
+                self.primitive_contains(*p, point)
+            }
             ItemKind::Solid(root) => self.node_contains(*root, point),
             ItemKind::Instance(i) => {
                 let instance = &self.instances[*i as usize];
@@ -60,7 +62,9 @@ impl Geometry {
     /// The interior of a frame-level object, with its place in file order.
     pub(super) fn item_interior(&self, item: &Item, path: &Path) -> Option<(ObjectId, InteriorKey)> {
         let look = match &item.kind {
-            ItemKind::Sphere(_, p) | ItemKind::Primitive(p) => self.primitives[*p as usize].look,
+            ItemKind::Sphere(_, p) | ItemKind::Plane(_, p) | ItemKind::Primitive(p) => {
+                self.primitives[*p as usize].look
+            }
             ItemKind::Solid(root) => self.nodes[*root as usize].look,
             ItemKind::Instance(_) => return None,
         };

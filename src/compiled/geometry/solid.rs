@@ -6,7 +6,7 @@
 //! sorting intervals, as POV-Ray does (shape facts, section 10.2).
 
 use super::Geometry;
-use super::graph::{Item, Node, NodeKind, Operation};
+use super::graph::{Item, Node, NodeKind, Operation, Skips};
 use super::record::RayKind;
 use super::shape::{Primitive as _, ShapeHits};
 use super::slab::SlabRay;
@@ -170,7 +170,7 @@ impl Geometry {
             | (Operation::Union, RayKind::Camera) => false,
             (Operation::Union | Operation::Merge, _) => true,
         };
-        honoured && self.nodes[child as usize].skips.skips(kind)
+        honoured && self.nodes[child as usize].skips.meets(Skips::of(kind))
     }
 
     /// Whether the ray meets, or starts in, everything that bounds the node.

@@ -1,9 +1,9 @@
 //! The way of a ray through groups and instances to its nearest hit.
 
 use super::Geometry;
-use super::graph::{Group, Item, ItemKind};
+use super::graph::{Group, Item, ItemKind, Skips};
 use super::record::{Hit, Path, RayKind};
-use super::shape::Primitive as _;
+use super::shape::Primitive;
 use super::solid::Scratch;
 use crate::math::{Range, Ray};
 use std::ops::ControlFlow;
@@ -12,6 +12,8 @@ use std::ops::ControlFlow;
 pub(super) struct Walk<'a> {
     pub(super) geometry: &'a Geometry,
     pub(super) kind: RayKind,
+    /// What passes this kind of ray by.
+    passed: Skips,
     pub(super) scratch: &'a mut Scratch,
     /// Ends at the nearest hit so far.
     pub(super) range: Range,
@@ -47,6 +49,7 @@ impl<'a> Walk<'a> {
         Self {
             geometry,
             kind,
+            passed: Skips::of(kind),
             scratch,
             range,
             best: None,
@@ -85,17 +88,24 @@ impl<'a> Walk<'a> {
 
     #[inline(always)]
     pub(super) fn item(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
-        if item.skips.skips(self.kind) {
+        if item.skips.meets(self.passed) {
             return ControlFlow::Continue(());
         }
         match &item.kind {
-            ItemKind::Sphere(sphere, primitive) => match sphere.intersect(ray, self.range) {
-                Some(hit) => self.record(hit.t, *primitive, hit.part, Owner::Primitive(*primitive)),
-                None => ControlFlow::Continue(()),
-            },
+            ItemKind::Sphere(sphere, primitive) => self.shape(sphere, *primitive, ray),
+            ItemKind::Plane(plane, primitive) => self.shape(plane, *primitive, ray),
             ItemKind::Primitive(index) => self.primitive(*index, ray),
             ItemKind::Solid(root) => self.solid(*root, ray),
             ItemKind::Instance(index) => self.instance(*index, ray),
+        }
+    }
+
+    /// A shape in the group's own space.
+    #[inline(always)]
+    fn shape(&mut self, shape: &impl Primitive, primitive: u32, ray: &Ray) -> ControlFlow<()> {
+        match shape.intersect(ray, self.range) {
+            Some(hit) => self.record(hit.t, primitive, hit.part, Owner::Primitive(primitive)),
+            None => ControlFlow::Continue(()),
         }
     }
 

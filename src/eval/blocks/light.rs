@@ -260,7 +260,7 @@ impl Evaluator<'_> {
             } else if self.accept(K::GlobalLights)? {
                 global_lights = self.optional_bool()?;
             } else if self.accept(K::Photons)? {
-                object.photons = self.photons_block(object.photons)?;
+                object.rare.photons = self.photons_block(object.rare.photons)?;
             } else {
                 break;
             }

@@ -133,8 +133,8 @@ impl Evaluator<'_> {
             K::InteriorTexture => {
                 self.next()?;
                 let texture = self.texture_block()?;
-                let below = object.interior_texture.take();
-                object.interior_texture = Some(self.layer_over(below, texture, span)?);
+                let below = object.rare.interior_texture.take();
+                object.rare.interior_texture = Some(self.layer_over(below, texture, span)?);
             }
             K::Pigment | K::Normal | K::Finish => {
                 let placed = object.texture.take();
@@ -153,8 +153,8 @@ impl Evaluator<'_> {
                     object.texture = Some(self.layer_over(below, texture, span)?);
                 }
                 if let Some(texture) = material.interior_texture {
-                    let below = object.interior_texture.take();
-                    object.interior_texture = Some(self.layer_over(below, texture, span)?);
+                    let below = object.rare.interior_texture.take();
+                    object.rare.interior_texture = Some(self.layer_over(below, texture, span)?);
                 }
                 if material.interior.is_some() {
                     object.interior = material.interior;
@@ -264,11 +264,11 @@ impl Evaluator<'_> {
                 self.next()?;
                 self.open("clipped_by")?;
                 if self.accept(K::BoundedBy)? {
-                    object.clipped_by = object.bounded_by.clone();
+                    object.rare.clipped_by = object.rare.bounded_by.clone();
                     object.flags.bounds_are_clips = true;
                 } else {
                     let clips = self.clip_objects(span)?;
-                    object.clipped_by.extend(clips);
+                    object.rare.clipped_by.extend(clips);
                 }
                 self.close("clipped_by")?;
             }
@@ -276,21 +276,21 @@ impl Evaluator<'_> {
                 self.next()?;
                 self.open("bounded_by")?;
                 if self.accept(K::ClippedBy)? {
-                    object.bounded_by = object.clipped_by.clone();
+                    object.rare.bounded_by = object.rare.clipped_by.clone();
                     object.flags.bounds_are_clips = true;
                 } else {
                     let bounds = self.clip_objects(span)?;
-                    object.bounded_by.extend(bounds);
+                    object.rare.bounded_by.extend(bounds);
                 }
                 self.close("bounded_by")?;
             }
             K::Photons => {
                 self.next()?;
-                object.photons = self.photons_block(object.photons)?;
+                object.rare.photons = self.photons_block(object.rare.photons)?;
             }
             K::Radiosity => {
                 self.next()?;
-                object.radiosity_importance = Some(self.radiosity_importance()?);
+                object.rare.radiosity_importance = Some(self.radiosity_importance()?);
             }
             K::Dtag => {
                 self.next()?;
@@ -383,7 +383,7 @@ impl Evaluator<'_> {
 
     /// Rules that hold once the whole block is read.
     fn check_object(&mut self, object: &mut Object, span: Span) -> SourceResult<()> {
-        if object.interior_texture.is_some() && object.texture.is_none() {
+        if object.rare.interior_texture.is_some() && object.texture.is_none() {
             return self.error(span, "an interior_texture needs a texture beside it");
         }
         let cuts =
