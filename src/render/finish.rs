@@ -2,7 +2,7 @@
 //!
 //! Source: section 5 of the shading facts (measured).
 
-use crate::compiled::texture::Finish;
+use crate::compiled::texture::{Finish, Reflection};
 use crate::math::noise::{Octaves, turbulence};
 use crate::math::{DVec3, Rgb};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -80,16 +80,15 @@ pub(super) fn irid(finish: &Finish, wavelength: Rgb, point: DVec3, light: DVec3,
     Rgb::new(factor(wavelength.x), factor(wavelength.y), factor(wavelength.z))
 }
 
-/// How much a layer mirrors at a signed cosine between the view and the normal; `None` for nothing.
+/// How much a mirroring layer mirrors at a signed cosine between the view and the normal; `None` for nothing.
 ///
 /// `relative_ior` is that of the far side over the near side.
 pub(super) fn reflectivity(
-    finish: &Finish,
+    reflection: &Reflection,
     pigment: Rgb,
     cosine: f64,
     relative_ior: impl FnOnce() -> f64,
 ) -> Option<Reflectivity> {
-    let reflection = finish.reflection.as_ref()?;
     let (min, max) = (reflection.min, reflection.max);
     let (plain, importance) = if reflection.fresnel {
         let share = fresnel(cosine, relative_ior());
@@ -120,7 +119,6 @@ pub(super) fn fresnel(cosine: f64, relative_ior: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compiled::texture::Reflection;
 
     const PIGMENT: Rgb = Rgb::new(1.0, 0.5, 0.25);
 
@@ -151,9 +149,8 @@ mod tests {
         let background = Rgb::new(0.2, 0.4, 0.6);
         let show = |min: f32, max: f32, fresnel: bool, falloff: f64, metallic: f32, ior: f64| {
             let (min, max) = (Rgb::splat(min), Rgb::splat(max));
-            let reflection = Some(Reflection { min, max, fresnel, falloff, exponent: 1.0, metallic });
-            let finish = Finish { reflection, ..Finish::default() };
-            reflectivity(&finish, PIGMENT, 0.5f64.sqrt(), || ior).map_or(Rgb::ZERO, |r| r.tint * background)
+            let reflection = Reflection { min, max, fresnel, falloff, exponent: 1.0, metallic };
+            reflectivity(&reflection, PIGMENT, 0.5f64.sqrt(), || ior).map_or(Rgb::ZERO, |r| r.tint * background)
         };
         check(show(0.2, 0.8, false, 1.0, 0.0, 1.0), [0.075151, 0.150301, 0.225437]);
         check(show(0.2, 0.8, false, 3.0, 0.0, 1.0), [0.043015, 0.086030, 0.129046]);

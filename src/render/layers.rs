@@ -118,7 +118,8 @@ impl Tracer<'_> {
             }
             let cosine = -place.direction().dot(normal);
             let relative_ior = || relative_ior(&place.path.interiors, &self.substance(place.surface, legacy));
-            let reflectivity = finish::reflectivity(&layer.finish, color.rgb, cosine, relative_ior);
+            let mirrors_at = |reflection| finish::reflectivity(reflection, color.rgb, cosine, relative_ior);
+            let reflectivity = layer.finish.reflection.as_ref().and_then(mirrors_at);
             if let Some(reflectivity) = reflectivity {
                 mirrors.push(Mirror { layer, normal, reflectivity, visibility: share(filter) });
             }

@@ -43,8 +43,9 @@ pub struct InteriorKey {
     pub instance: u32,
 }
 
-/// How many shared groups may stand inside each other; deeper ones are copied out by `compile`.
-pub const MAX_INSTANCE_DEPTH: usize = 24;
+/// How many shared groups may stand inside each other; deeper ones are copied out by `compile`. Every hit carries
+/// room for as many.
+pub const MAX_INSTANCE_DEPTH: usize = 12;
 
 /// The instances a ray went through to reach a primitive, outermost first.
 #[derive(Clone, Copy, Debug, Default)]
