@@ -90,15 +90,15 @@ impl<const N: usize> Piece<N> {
     /// How often the coefficients change sign: as many roots inside, or fewer by an even number.
     #[inline(always)]
     fn sign_changes(&self, n: usize) -> u32 {
-        let mut changes = 0;
-        let mut last = 0.0;
-        for &b in &self.b[..=n] {
-            if b != 0.0 {
-                changes += u32::from(last != 0.0 && (b < 0.0) != (last < 0.0));
-                last = b;
-            }
+        let bits = |is: fn(f64) -> bool| (0..=n).fold(0_u64, |bits, i| bits | u64::from(is(self.b[i])) << i);
+        let (negative, zero) = (bits(|b| b < 0.0), bits(|b| b == 0.0));
+        if zero == 0 {
+            return ((negative ^ (negative >> 1)) & ((1 << n) - 1)).count_ones();
         }
-        changes
+        let signs = (0..=n).filter(|i| zero >> i & 1 == 0).map(|i| negative >> i & 1);
+        signs
+            .fold((0, None), |(changes, last), sign| (changes + u32::from(last.is_some_and(|s| s != sign)), Some(sign)))
+            .0
     }
 
     /// Halves the interval. Source: de Casteljau's algorithm.
@@ -161,7 +161,7 @@ fn isolate<const N: usize>(coefficients: &[f64], n: usize, low: f64, high: f64, 
     while let Some(piece) = waiting.pop() {
         let changes = piece.sign_changes(n);
         if changes == 1 {
-            roots.push(polish(coefficients, piece.low, piece.high));
+            roots.push(polish(coefficients, &piece, n));
             continue;
         }
         let middle = 0.5 * piece.low + 0.5 * piece.high;
@@ -232,13 +232,17 @@ fn bernstein<const N: usize>(coefficients: &[f64], n: usize, low: f64, high: f64
     b
 }
 
-/// The one root between `low` and `high`: Newton's method, kept inside a shrinking bracket.
+/// The one root in a piece: Newton's method, kept inside a shrinking bracket, from about where the chord between the
+/// ends meets zero.
 ///
 /// Source: Press et al., Numerical Recipes, section 9.4 (`rtsafe`).
 #[inline(always)]
-fn polish(coefficients: &[f64], mut low: f64, mut high: f64) -> f64 {
-    let rising = horner(coefficients, high).0 > horner(coefficients, low).0;
-    let mut t = 0.5 * low + 0.5 * high;
+fn polish<const N: usize>(coefficients: &[f64], piece: &Piece<N>, n: usize) -> f64 {
+    let (mut low, mut high, first, last) = (piece.low, piece.high, piece.b[0], piece.b[n]);
+    let rising = last > first;
+    // Not next to an end that may be another root but for rounding.
+    let share = (first / (first - last)).clamp(0.125, 0.875);
+    let mut t = low + (high - low) * share;
     // Bisection alone ends after about 60 rounds for neighbouring exponents; Newton needs few.
     for _ in 0..100 {
         let (value, slope) = horner(coefficients, t);

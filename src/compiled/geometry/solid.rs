@@ -57,7 +57,14 @@ impl Geometry {
         scratch: &mut Scratch,
     ) {
         let node = &self.nodes[index as usize];
-        if !ray.may_meet(&node.bounds, range) || !self.passes_bounds(node, ray, scratch) {
+        // What a file says about bounds is about whole objects.
+        let may_meet = !is_root && self.is_quick(node) || ray.may_meet(&node.bounds, range);
+        if !may_meet || !self.passes_bounds(node, ray, scratch) {
+            return;
+        }
+        // Only what is inside of all clips is left in the end.
+        let range = node.clips.iter().fold(range, |range, clip| self.span(*clip, ray, range));
+        if range.is_empty() {
             return;
         }
         let start = scratch.crossings.len();
@@ -90,6 +97,17 @@ impl Geometry {
         }
         if reverses && !(is_root && scratch.crossings.len() < 2) {
             scratch.crossings[start..].reverse();
+        }
+    }
+
+    /// Whether a node is found as soon as its box, which holds all of the shape.
+    fn is_quick(&self, node: &Node) -> bool {
+        match &node.kind {
+            NodeKind::Primitive(p) if node.clips.is_empty() && node.bounded_by.is_empty() => {
+                let primitive = &self.primitives[*p as usize];
+                primitive.group_from_local.is_none() && primitive.shape.is_quick()
+            }
+            _ => false,
         }
     }
 

@@ -56,7 +56,13 @@ impl Geometry {
         let node = &self.nodes[index as usize];
         match &node.kind {
             // The shape knows better than its box.
-            NodeKind::Primitive(p) if self.has_span(*p) => self.primitives[*p as usize].shape.span(ray.ray, range),
+            NodeKind::Primitive(p) if self.has_span(*p) => {
+                let primitive = &self.primitives[*p as usize];
+                match &primitive.group_from_local {
+                    Some(place) => primitive.shape.span(&place.inverse_ray(ray.ray), range),
+                    None => primitive.shape.span(ray.ray, range),
+                }
+            }
             NodeKind::Csg { operation: Operation::Intersection, children, confining, .. } => {
                 let mut range = ray.within(&node.extent, range);
                 for i in confining {
@@ -74,7 +80,7 @@ impl Geometry {
     /// Whether a primitive's own shape says where it contains points.
     fn has_span(&self, primitive: u32) -> bool {
         let primitive = &self.primitives[primitive as usize];
-        primitive.shape.has_span() && !primitive.inverse && primitive.group_from_local.is_none()
+        primitive.shape.has_span() && !primitive.inverse
     }
 
     /// Whether [`span`](Self::span) may be less than the whole range.
@@ -85,5 +91,56 @@ impl Geometry {
             NodeKind::Csg { confining, .. } => !confining.is_empty(),
         };
         node.extent != Bounds::INFINITE || of_kind()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shape::{Plane, Primitive, Quadric, Sphere};
+    use super::*;
+    use crate::math::{DVec3, Ray};
+
+    /// Sends rays from near and far at a shape of about unit size: no point beside the stretch is inside, and the
+    /// stretch is not much longer than it has to be.
+    fn check(shape: &impl Primitive) {
+        let mut seed = 1_u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
+        };
+        let (mut confined, mut inside) = (0, 0);
+        for i in 0..20_000 {
+            let mut vector = || DVec3::new(random(), random(), random());
+            let (origin, target) = (vector() * 10f64.powi(i % 9 - 2), vector());
+            let ray = Ray::new(origin, (target - origin) * 10f64.powi(i % 5 - 2));
+            let span = shape.span(&ray, Range::FORWARD);
+            let beside = [span.min.next_down(), span.min * 0.999_999, span.max.next_up(), span.max * 1.000_001];
+            for t in beside.into_iter().filter(|t| *t > 0.0 && t.is_finite()) {
+                confined += 1;
+                assert!(!shape.contains(ray.at(t)), "{ray:?} at {t}, beside {span:?}");
+            }
+            let length = span.max - span.min;
+            // From far away, rounding takes its toll.
+            if i % 9 < 4 && length * ray.direction.length() > 1e-3 && length.is_finite() {
+                let near_ends = [span.min + 1e-4 * length, span.max - 1e-4 * length];
+                inside += near_ends.into_iter().filter(|t| *t > 0.0 && !shape.contains(ray.at(*t))).count();
+            }
+        }
+        assert!(confined > 5_000 && inside == 0, "{confined} ends, {inside} of them too far away");
+    }
+
+    #[test]
+    fn nothing_is_inside_beside_its_span() {
+        check(&Plane { normal: DVec3::new(0.6, 0.0, 0.8), distance: 0.3 });
+        check(&Sphere { center: DVec3::new(0.1, -0.2, 0.3), radius: 0.8 });
+        let quadric = |squares: [f64; 3], products: [f64; 3], constant: f64| Quadric {
+            squares: squares.into(),
+            products: products.into(),
+            linear: DVec3::new(0.1, 0.2, -0.1),
+            constant,
+            keeps_normal: false,
+        };
+        check(&quadric([1.0, 2.0, 0.5], [0.0, 0.3, 0.0], -1.0));
+        check(&quadric([1.0, 1.0, 0.0], [0.0; 3], -0.5));
     }
 }

@@ -26,6 +26,15 @@ impl Cone {
         self.taper.unwrap_or(0.0)
     }
 
+    /// Whether a line passes the axis at more than the largest radius; errs on the side of no.
+    fn is_passed_by(&self, ray: &Ray) -> bool {
+        let (o, d) = (ray.origin, ray.direction);
+        let radius = self.low().abs().max(1.0);
+        let (a, b) = (o.x * d.y, o.y * d.x);
+        let moment = (a - b).abs() - gamma(16) * (a.abs() + b.abs());
+        moment > 0.0 && moment * moment > radius * radius * d.truncate().length_squared() * (1.0 + gamma(32))
+    }
+
     /// Squared radius at height `z`.
     fn radius_squared(&self, z: f64) -> f64 {
         if self.taper.is_some() { z * z } else { 1.0 }
@@ -39,6 +48,9 @@ impl Primitive for Cone {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
+        if self.is_passed_by(ray) {
+            return;
+        }
         let near = NearRay::new(ray, DVec3::new(0.0, 0.0, 0.5), 4.0);
         let (o, d) = (near.origin, near.direction);
         let (slope, height) = if self.taper.is_some() { (d.z, o.z) } else { (0.0, 0.0) };

@@ -11,38 +11,47 @@ pub(crate) struct Cuboid {
 }
 
 impl Cuboid {
-    /// Entry and exit anywhere on the line.
+    /// Entry and exit anywhere on the line, or nothing where neither is in range.
     ///
     /// Where a ray meets an edge, the face whose axis the direction follows more wins, as in
     /// POV-Ray; its tie threshold of 1e-6 in t becomes a rounding bound here.
-    fn crossing_pair(&self, ray: &Ray) -> Option<(ShapeHit, ShapeHit)> {
+    fn crossing_pair(&self, ray: &Ray, range: Range) -> Option<(ShapeHit, ShapeHit)> {
+        let (o, d) = (ray.origin, ray.direction);
+        let (below, above) = ((self.min - o) / d, (self.max - o) / d);
+        let turned = d.cmplt(DVec3::ZERO);
+        let (mut near, mut far) = (DVec3::select(turned, above, below), DVec3::select(turned, below, above));
+        for axis in 0..3 {
+            if d[axis] == 0.0 {
+                if o[axis] < self.min[axis] || o[axis] > self.max[axis] {
+                    return None;
+                }
+                (near[axis], far[axis]) = (f64::NEG_INFINITY, f64::INFINITY);
+            }
+        }
+        // Most rays pass by: by more than ties below can turn.
+        let (first, last) = (near.max_element().max(range.min), far.min_element().min(range.max));
+        if first - last > gamma(16) * (first.abs() + last.abs()) {
+            return None;
+        }
         let mut enter = (f64::NEG_INFINITY, 0, 0.0);
         let mut leave = (f64::INFINITY, 0, 0.0);
         for axis in 0..3 {
-            let (o, d) = (ray.origin[axis], ray.direction[axis]);
-            let (low, high) = (self.min[axis], self.max[axis]);
-            if d == 0.0 {
-                if o < low || o > high {
-                    return None;
-                }
+            let along = d[axis].abs();
+            if along == 0.0 {
                 continue;
             }
             let part = 2 * axis as u32;
-            let (near, far, near_part, far_part) = if d > 0.0 {
-                ((low - o) / d, (high - o) / d, part, part + 1)
-            } else {
-                ((high - o) / d, (low - o) / d, part + 1, part)
-            };
+            let (near_part, far_part) = if d[axis] > 0.0 { (part, part + 1) } else { (part + 1, part) };
             let tie = |a: f64, b: f64| b.is_finite() && (a - b).abs() <= gamma(6) * (a.abs() + b.abs());
-            if tie(near, enter.0) {
-                enter = if d.abs() > enter.2 { (enter.0, near_part, d.abs()) } else { enter };
-            } else if near > enter.0 {
-                enter = (near, near_part, d.abs());
+            if tie(near[axis], enter.0) {
+                enter = if along > enter.2 { (enter.0, near_part, along) } else { enter };
+            } else if near[axis] > enter.0 {
+                enter = (near[axis], near_part, along);
             }
-            if tie(far, leave.0) {
-                leave = if d.abs() > leave.2 { (leave.0, far_part, d.abs()) } else { leave };
-            } else if far < leave.0 {
-                leave = (far, far_part, d.abs());
+            if tie(far[axis], leave.0) {
+                leave = if along > leave.2 { (leave.0, far_part, along) } else { leave };
+            } else if far[axis] < leave.0 {
+                leave = (far[axis], far_part, along);
             }
         }
         let hits = (ShapeHit { t: enter.0, part: enter.1 }, ShapeHit { t: leave.0, part: leave.1 });
@@ -71,12 +80,23 @@ impl Primitive for Cuboid {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        let Some((enter, leave)) = self.crossing_pair(ray) else { return };
+        let Some((enter, leave)) = self.crossing_pair(ray, range) else { return };
         for hit in [enter, leave] {
             if range.contains(hit.t) {
                 out.push(hit);
             }
         }
+    }
+
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
+        let (enter, leave) = self.crossing_pair(ray, range)?;
+        // A box without thickness is entered and left at once; the last counts.
+        let hit = if range.contains(enter.t) && enter.t < leave.t { enter } else { leave };
+        range.contains(hit.t).then_some(hit)
+    }
+
+    fn is_quick(&self) -> bool {
+        true
     }
 
     fn contains(&self, p: DVec3) -> bool {

@@ -5,7 +5,7 @@
 //! Source of the pyramid: Tevs, Ihrke, Seidel, Maximum Mipmaps for Fast, Accurate, and Scalable
 //! Dynamic Height Field Rendering, 2008.
 
-use super::triangle::{TriangleRay, corner_error, locate};
+use super::triangle::{TriangleRay, corner_error, locate, surrounds};
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Transform, gamma};
 use glam::Vec3;
@@ -72,6 +72,9 @@ pub(crate) struct HeightField {
 /// What stops reciprocals of directions along an axis, so that a product with a distance of 0 is 0.
 const STEEPEST: f64 = 1e300;
 
+/// Corners of a cell's two faces, split from (i+1, k) to (i, k+1).
+const FACES: [[usize; 3]; 2] = [[0, 1, 2], [3, 2, 1]];
+
 impl HeightGrid {
     /// From at least two by two heights, by row of z, then x.
     pub(crate) fn new(width: usize, heights: Vec<u16>, water: f64, smooth: bool) -> Self {
@@ -89,17 +92,18 @@ impl HeightGrid {
         Self { width, depth, heights, water, smooth, lowest, highest, pyramid }
     }
 
-    /// Corners of a face: two a cell, split from (i+1, k) to (i, k+1). Whole numbers, exact in single
-    /// precision.
-    fn corners(&self, face: usize) -> [[f32; 3]; 3] {
-        let (cell, across) = (face / 2, self.width - 1);
+    /// Corners of a cell: (i, k), (i+1, k), (i, k+1) and (i+1, k+1). Whole numbers, exact in single precision.
+    fn cell(&self, cell: usize) -> [[f32; 3]; 4] {
+        let across = self.width - 1;
         let (i, k) = (cell % across, cell / across);
         let at = |i: usize, k: usize| [i as f32, f32::from(self.heights[k * self.width + i]), k as f32];
-        if face.is_multiple_of(2) {
-            [at(i, k), at(i + 1, k), at(i, k + 1)]
-        } else {
-            [at(i + 1, k + 1), at(i, k + 1), at(i + 1, k)]
-        }
+        [at(i, k), at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)]
+    }
+
+    /// Corners of a face.
+    fn corners(&self, face: usize) -> [[f32; 3]; 3] {
+        let cell = self.cell(face / 2);
+        FACES[face % 2].map(|corner| cell[corner])
     }
 
     /// Every crossing above the floor, with its face, from near cells to far ones. `found` may lower
@@ -131,9 +135,12 @@ impl HeightGrid {
                 continue;
             }
             if n == 0 {
-                for face in [2 * (k * level.width + i), 2 * (k * level.width + i) + 1] {
-                    let corners = self.corners(face);
-                    if let Some(t) = prepared.crossing(corners.each_ref())
+                let number = k * level.width + i;
+                let cell = self.cell(number);
+                let flat = cell.each_ref().map(|corner| prepared.flat(corner));
+                for (face, corners) in (2 * number..).zip(FACES) {
+                    if surrounds(corners.map(|corner| flat[corner]))
+                        && let Some(t) = prepared.reach(corners.map(|corner| &cell[corner]))
                         && range.min < t
                         && t < t_max
                         && o.y + t * d.y >= floor

@@ -63,6 +63,21 @@ const ESCAPE_SLACK: f64 = 1e-7;
 /// q₀, q₁, … of one point.
 type Orbit = SmallVec<[DVec4; 24]>;
 
+/// What POV-Ray's estimates want to know of a hypercomplex orbit.
+struct HyperOrbit {
+    last: Pair,
+    /// Of the derivatives, as POV-Ray has them, of all steps; of none, the last point.
+    product: Pair,
+    steps: i32,
+}
+
+impl HyperOrbit {
+    fn new(start: DVec4) -> Self {
+        let start = Pair::from(start);
+        Self { last: start, product: start, steps: 0 }
+    }
+}
+
 impl Julia {
     /// Radius of the sphere around the set.
     fn radius(&self) -> f64 {
@@ -86,11 +101,6 @@ impl Julia {
         self.start(if polynomial { p } else { p.with_z(p.y) })
     }
 
-    #[inline]
-    fn next(&self, q: DVec4) -> DVec4 {
-        self.parameter + if self.hypercomplex { Pair::from(q).apply(self.function).into() } else { self.power(q) }
-    }
-
     /// Square or cube of a quaternion with its real part first.
     #[inline]
     fn power(&self, q: DVec4) -> DVec4 {
@@ -105,13 +115,24 @@ impl Julia {
 
     /// Whether the orbit of `start` stays within the escape radius.
     fn stays(&self, start: DVec4) -> bool {
-        let (mut q, escape) = (start, self.escape());
-        for _ in 0..self.n_iterations {
-            // Also false for NaN.
-            if q.length_squared() > escape {
-                return false;
+        // NaN stays, too.
+        let escape = self.escape();
+        if self.hypercomplex {
+            let (mut q, c) = (Pair::from(start), Pair::from(self.parameter));
+            for _ in 0..self.n_iterations {
+                if q.norm() > escape {
+                    return false;
+                }
+                q = q.apply(self.function).plus(c);
             }
-            q = self.next(q);
+        } else {
+            let mut q = start;
+            for _ in 0..self.n_iterations {
+                if q.length_squared() > escape {
+                    return false;
+                }
+                q = self.parameter + self.power(q);
+            }
         }
         true
     }
@@ -122,28 +143,40 @@ impl Julia {
 
     /// Whether a sample is inside, and how far the next one may be.
     #[inline]
-    fn sample(&self, p: DVec3, direction: DVec3) -> (bool, f64) {
+    fn sample(&self, p: DVec3, direction: DVec3, escape: f64) -> (bool, f64) {
         let start = self.start(p);
         if !self.hypercomplex {
-            return self.quaternion_sample(start);
+            return self.quaternion_sample(start, escape);
         }
-        let (mut q, escape) = (start, self.escape());
-        let mut orbit = Orbit::new();
+        let mut orbit = HyperOrbit::new(start);
         for _ in 0..self.n_iterations {
-            orbit.push(q);
-            let n = q.length_squared();
+            let n = orbit.last.norm();
             if n > escape {
                 return (false, self.hypercomplex_step(&orbit, n, direction));
             }
-            q = self.next(q);
+            self.follow(&mut orbit);
         }
         (true, self.smallest_step)
     }
 
+    /// One step of a hypercomplex orbit.
+    #[inline(always)]
+    fn follow(&self, orbit: &mut HyperOrbit) {
+        let image = orbit.last.apply(self.function);
+        let slope = match self.function {
+            JuliaFunction::Sqr | JuliaFunction::Cube => orbit.last,
+            JuliaFunction::Reciprocal => image.times(image).negated(),
+            _ => image,
+        };
+        orbit.product = if orbit.steps == 0 { orbit.last } else { orbit.product.times(slope) };
+        orbit.last = image.plus(self.parameter.into());
+        orbit.steps += 1;
+    }
+
     /// The estimate of a quaternion's distance needs no more of its orbit than the product of lengths.
-    fn quaternion_sample(&self, mut q: DVec4) -> (bool, f64) {
+    fn quaternion_sample(&self, mut q: DVec4, escape: f64) -> (bool, f64) {
         let degree: f64 = if matches!(self.function, JuliaFunction::Cube) { 3.0 } else { 2.0 };
-        let (escape, mut squares, mut power) = (self.escape(), 1.0, 1.0);
+        let (mut squares, mut power) = (1.0, 1.0);
         for _ in 0..self.n_iterations {
             let n = q.length_squared();
             squares *= n;
@@ -156,30 +189,20 @@ impl Julia {
         (true, self.smallest_step)
     }
 
-    fn hypercomplex_step(&self, orbit: &Orbit, n: f64, direction: DVec3) -> f64 {
+    fn hypercomplex_step(&self, orbit: &HyperOrbit, n: f64, direction: DVec3) -> f64 {
         let approach = -2.0 * self.hypercomplex_gradient(orbit).dot(direction);
         let least = self.smallest_step * approach;
         if approach > 2e-8 && least < n && n < 30.0 * least { n / approach } else { self.smallest_step }
     }
 
     /// POV-Ray's estimate of the direction in which the last point of an orbit grows.
-    fn hypercomplex_gradient(&self, orbit: &Orbit) -> DVec3 {
-        let Some((last, before)) = orbit.split_last() else { return DVec3::X };
-        let factor = |q: &DVec4| match self.function {
-            JuliaFunction::Sqr | JuliaFunction::Cube => Pair::from(*q),
-            JuliaFunction::Reciprocal => {
-                let inverse = Pair::from(*q).apply(JuliaFunction::Reciprocal);
-                inverse.times(inverse).negated()
-            }
-            function => Pair::from(*q).apply(function),
-        };
-        let first = Pair::from(before.first().copied().unwrap_or(*last));
-        let d: DVec4 = before.iter().skip(1).fold(first, |product, q| product.times(factor(q))).into();
+    fn hypercomplex_gradient(&self, orbit: &HyperOrbit) -> DVec3 {
+        let d = DVec4::from(orbit.product);
         let scale = match self.function {
-            JuliaFunction::Sqr => 2f64.powi(before.len().max(1) as i32),
+            JuliaFunction::Sqr => 2f64.powi(orbit.steps.max(1)),
             _ => 1.0,
         };
-        let n = *last * scale;
+        let n = DVec4::from(orbit.last) * scale;
         DVec3::new(d.dot(n), DVec4::new(-d.y, d.x, -d.w, d.z).dot(n), DVec4::new(-d.z, -d.w, d.x, d.y).dot(n))
     }
 
@@ -214,11 +237,12 @@ impl Julia {
         if leave < FINEST {
             return;
         }
-        let mut s = enter.max(FINEST);
-        let (mut inside, mut step) = self.sample(unit.at(s), unit.direction);
+        let (mut s, escape) = (enter.max(FINEST), self.escape());
+        let sample = |s: f64| self.sample(unit.at(s), unit.direction, escape);
+        let (mut inside, mut step) = sample(s);
         if inside {
             s += 2.0 * FINEST;
-            (inside, step) = self.sample(unit.at(s), unit.direction);
+            (inside, step) = sample(s);
         }
         while s <= end {
             // Also where the estimate is not a number.
@@ -227,7 +251,7 @@ impl Julia {
             if next > leave || next <= s {
                 return;
             }
-            let (now_inside, next_step) = self.sample(unit.at(next), unit.direction);
+            let (now_inside, next_step) = sample(next);
             if now_inside != inside && found(self.change(&unit, s, length, inside) / speed) {
                 return;
             }
@@ -281,17 +305,26 @@ impl Primitive for Julia {
 
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let p = ray.at(t);
-        let mut orbit = Orbit::from_elem(self.tested_start(p), 1);
-        for i in 0..self.n_iterations {
-            let q = orbit[i];
-            // Orbits that escape by the last digit have no more to say.
-            if !q.is_finite() || q.length_squared() > 4.0 * self.escape() {
-                break;
+        let start = self.tested_start(p);
+        // Orbits that escape by the last digit have no more to say.
+        let goes_on = |norm: f64| norm <= 4.0 * self.escape();
+        let gradient = if self.hypercomplex {
+            let mut orbit = HyperOrbit::new(start);
+            let mut left = self.n_iterations;
+            while left > 0 && goes_on(orbit.last.norm()) {
+                self.follow(&mut orbit);
+                left -= 1;
             }
-            orbit.push(self.next(q));
-        }
-        let gradient =
-            if self.hypercomplex { self.hypercomplex_gradient(&orbit) } else { self.quaternion_gradient(&orbit) };
+            self.hypercomplex_gradient(&orbit)
+        } else {
+            let mut orbit = Orbit::from_elem(start, 1);
+            let mut q = start;
+            while orbit.len() <= self.n_iterations && goes_on(q.length_squared()) {
+                q = self.parameter + self.power(q);
+                orbit.push(q);
+            }
+            self.quaternion_gradient(&orbit)
+        };
         let usable = gradient.is_finite() && gradient != DVec3::ZERO;
         // Not the depth of the search: rays start where POV-Ray starts them, and NEAREST does the rest.
         LocalSurface::plain(p, gamma(32) * self.radius(), if usable { gradient } else { DVec3::X })

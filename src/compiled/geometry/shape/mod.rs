@@ -126,6 +126,11 @@ pub(crate) trait Primitive {
         false
     }
 
+    /// Whether its crossings are found as soon as those of a ray with a box.
+    fn is_quick(&self) -> bool {
+        false
+    }
+
     /// Whether there is any crossing.
     fn occluded(&self, ray: &Ray, range: Range) -> bool {
         self.intersect(ray, range).is_some()
@@ -166,6 +171,9 @@ macro_rules! shapes {
             }
             fn has_span(&self) -> bool {
                 match self { $(Self::$name(s) => s.has_span(),)* }
+            }
+            fn is_quick(&self) -> bool {
+                match self { $(Self::$name(s) => s.is_quick(),)* }
             }
         }
     };
@@ -224,6 +232,9 @@ impl<P: Primitive> Primitive for Box<P> {
     }
     fn has_span(&self) -> bool {
         (**self).has_span()
+    }
+    fn is_quick(&self) -> bool {
+        (**self).is_quick()
     }
 }
 

@@ -62,6 +62,10 @@ impl Primitive for Plane {
         true
     }
 
+    fn is_quick(&self) -> bool {
+        true
+    }
+
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let p = ray.at(t);
         let point = p - self.normal * self.height(p);

@@ -18,7 +18,8 @@ type Along = [f64; MAX_DEGREE + 1];
 
 impl Polynomial {
     /// Combines all terms by Horner's rule in x, within it in y, within it in z: `step(sum, axis)`
-    /// multiplies by a coordinate, `add(sum, c)` adds.
+    /// multiplies by a coordinate, `leaf(sum, c)` and `add` add. Most surfaces have few terms: what has
+    /// none yet is not multiplied.
     #[inline]
     fn horner<S>(
         &self,
@@ -27,23 +28,35 @@ impl Polynomial {
         leaf: impl Fn(&mut S, f64),
         add: impl Fn(&mut S, &S),
     ) -> S {
-        let mut next = self.coefficients.iter();
-        let mut in_x = zero();
-        for i in (0..=self.order).rev() {
-            let mut in_y = zero();
-            for j in (0..=self.order - i).rev() {
-                let mut in_z = zero();
-                for _ in 0..=self.order - i - j {
-                    step(&mut in_z, 2);
-                    leaf(&mut in_z, *next.next().unwrap_or(&0.0));
-                }
-                step(&mut in_y, 1);
-                add(&mut in_y, &in_z);
+        let shift = |sum: &mut Option<S>, axis: usize| {
+            if let Some(sum) = sum {
+                step(sum, axis);
             }
-            step(&mut in_x, 0);
-            add(&mut in_x, &in_y);
+        };
+        let join = |sum: &mut Option<S>, other: Option<S>| match (sum.as_mut(), other) {
+            (Some(sum), Some(other)) => add(sum, &other),
+            (None, other) => *sum = other,
+            (Some(_), None) => {}
+        };
+        let mut next = self.coefficients.iter();
+        let mut in_x = None;
+        for i in (0..=self.order).rev() {
+            let mut in_y = None;
+            for j in (0..=self.order - i).rev() {
+                let mut in_z = None;
+                for _ in 0..=self.order - i - j {
+                    shift(&mut in_z, 2);
+                    if let Some(c) = next.next().filter(|c| **c != 0.0) {
+                        leaf(in_z.get_or_insert_with(&zero), *c);
+                    }
+                }
+                shift(&mut in_y, 1);
+                join(&mut in_y, in_z);
+            }
+            shift(&mut in_x, 0);
+            join(&mut in_x, in_y);
         }
-        in_x
+        in_x.unwrap_or_else(zero)
     }
 
     /// Coefficients along a ray.

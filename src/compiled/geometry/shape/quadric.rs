@@ -36,16 +36,21 @@ impl Quadric {
         DVec3::new(self.form(p, DVec3::X), self.form(p, DVec3::Y), self.form(p, DVec3::Z)) + self.linear
     }
 
-    /// Sum of the magnitudes of all terms: what rounding errors are proportional to.
-    fn magnitude(&self, p: DVec3) -> f64 {
-        let absolute = Self {
+    /// The sum of the magnitudes of all terms, for coordinates that are not negative: what rounding errors are
+    /// proportional to.
+    fn magnitudes(&self) -> Self {
+        Self {
             squares: self.squares.abs(),
             products: self.products.abs(),
             linear: self.linear.abs(),
             constant: self.constant.abs(),
             keeps_normal: false,
-        };
-        absolute.value(p.abs())
+        }
+    }
+
+    /// Coefficients of the value along a ray, falling.
+    fn along(&self, o: DVec3, d: DVec3) -> [f64; 3] {
+        [0.5 * self.form(d, d), self.gradient(o).dot(d), self.value(o)]
     }
 
     /// A length typical of the surface, at which moving the ray's origin loses nothing.
@@ -72,10 +77,8 @@ impl Primitive for Quadric {
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
         let size = self.size();
         let near = NearRay::new(ray, DVec3::ZERO, if size.is_finite() { 4.0 * size } else { f64::INFINITY });
-        let (o, d) = (near.origin, near.direction);
-        let a = 0.5 * self.form(d, d);
-        let b = self.gradient(o).dot(d);
-        if let Some(roots) = quadratic_roots(a, b, self.value(o)) {
+        let [a, b, c] = self.along(near.origin, near.direction);
+        if let Some(roots) = quadratic_roots(a, b, c) {
             // A lone root of the linear case is one crossing.
             let count = if a == 0.0 { 1 } else { 2 };
             let hits = roots.into_iter().take(count).map(|s| ShapeHit { t: near.t(s), part: 0 });
@@ -87,9 +90,34 @@ impl Primitive for Quadric {
         self.value(p) <= 0.0
     }
 
+    fn span(&self, ray: &Ray, range: Range) -> Range {
+        /// Of a dozen roundings each for the point, the value there, and the coefficients here.
+        const SLACK: f64 = gamma(128);
+        let [a, b, c] = self.along(ray.origin, ray.direction);
+        let [rounded_a, rounded_b, rounded_c] = self.magnitudes().along(ray.origin.abs(), ray.direction.abs());
+        let a = a - SLACK * rounded_a;
+        let opens_upward = a > SLACK * rounded_a;
+        if !opens_upward || range.min < 0.0 {
+            return range;
+        }
+        // For t from 0 on, the least that the value can be.
+        match quadratic_roots(a, b - SLACK * rounded_b, c - SLACK * rounded_c) {
+            Some([low, high]) if low < high => {
+                let (low, high) = (low - SLACK * low.abs(), high + SLACK * high.abs());
+                Range { min: range.min.max(low), max: range.max.min(high) }
+            }
+            Some(_) => range,
+            None => Range::EMPTY,
+        }
+    }
+
+    fn has_span(&self) -> bool {
+        true
+    }
+
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let (point, error, gradient) =
-            super::onto_surface(ray.at(t), |p| (self.value(p), self.gradient(p), self.magnitude(p)));
+            super::onto_surface(ray.at(t), |p| (self.value(p), self.gradient(p), self.magnitudes().value(p.abs())));
         let normal = if gradient == DVec3::ZERO { DVec3::X } else { gradient };
         LocalSurface::plain(point, error, if self.keeps_normal { -normal } else { normal })
     }

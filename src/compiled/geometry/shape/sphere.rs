@@ -79,6 +79,10 @@ impl Primitive for Sphere {
         true
     }
 
+    fn is_quick(&self) -> bool {
+        true
+    }
+
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let radius = self.radius.abs();
         let outward = (ray.at(t) - self.center).try_normalize().unwrap_or(DVec3::Y);

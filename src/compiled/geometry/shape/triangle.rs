@@ -30,35 +30,42 @@ impl TriangleRay {
     }
 
     /// Ray parameter of the crossing, anywhere on the line.
-    ///
-    /// `t` comes from the plane, whose sign is right for an origin off the plane by more than the
-    /// rounding of the corners; the weights would lose that near the surface.
     #[inline]
     pub(super) fn crossing<T: Into<f64> + Copy>(&self, corners: [&[T; 3]; 3]) -> Option<f64> {
-        if !self.meets(corners) {
-            return None;
-        }
+        let [a, b, c] = corners;
+        surrounds([self.flat(a), self.flat(b), self.flat(c)]).then(|| self.reach(corners)).flatten()
+    }
+
+    /// A corner as the ray sees it: beside the line, in the plane across it. Coordinates are read from memory by axis,
+    /// which is why they come as arrays.
+    #[inline]
+    pub(super) fn flat<T: Into<f64> + Copy>(&self, p: &[T; 3]) -> [f64; 2] {
+        let [x, y, along] = self.axes;
+        let depth = p[along].into() - self.sheared_origin[2];
+        let flat = [p[x].into() - self.sheared_origin[0], p[y].into() - self.sheared_origin[1]];
+        [flat[0] - self.shear[0] * depth, flat[1] - self.shear[1] * depth]
+    }
+
+    /// Ray parameter of the crossing with a triangle that the line goes through.
+    ///
+    /// It comes from the plane, whose sign is right for an origin off the plane by more than the
+    /// rounding of the corners; the weights would lose that near the surface.
+    #[inline]
+    pub(super) fn reach<T: Into<f64> + Copy>(&self, corners: [&[T; 3]; 3]) -> Option<f64> {
         let [a, b, c] = corners.map(|p| DVec3::from(p.map(Into::into)) - self.origin);
         let normal = (b - a).cross(c - a);
         let t = normal.dot(a) / normal.dot(self.direction);
         t.is_finite().then_some(t)
     }
+}
 
-    /// Whether the line goes through the triangle or its edges. Coordinates are read from memory
-    /// by axis, which is why they come as arrays.
-    #[inline]
-    fn meets<T: Into<f64> + Copy>(&self, corners: [&[T; 3]; 3]) -> bool {
-        let [x, y, along] = self.axes;
-        let [pa, pb, pc] = corners.map(|p| {
-            let depth = p[along].into() - self.sheared_origin[2];
-            let flat = [p[x].into() - self.sheared_origin[0], p[y].into() - self.sheared_origin[1]];
-            (flat[0] - self.shear[0] * depth, flat[1] - self.shear[1] * depth)
-        });
-        let u = pc.0 * pb.1 - pc.1 * pb.0;
-        let v = pa.0 * pc.1 - pa.1 * pc.0;
-        let w = pb.0 * pa.1 - pb.1 * pa.0;
-        !((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0))
-    }
+/// Whether the line goes through the triangle of these flat corners, or its edges.
+#[inline]
+pub(super) fn surrounds([a, b, c]: [[f64; 2]; 3]) -> bool {
+    let u = c[0] * b[1] - c[1] * b[0];
+    let v = a[0] * c[1] - a[1] * c[0];
+    let w = b[0] * a[1] - b[1] * a[0];
+    !((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0))
 }
 
 /// Barycentric weights of a point in the plane of a triangle, and the point moved into the plane.

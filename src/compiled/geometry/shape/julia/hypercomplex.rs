@@ -10,43 +10,61 @@ use crate::math::{DVec2, DVec4};
 /// A complex number: real part in x, imaginary part in y.
 type Complex = DVec2;
 
-/// A hypercomplex number, taken apart.
+/// A hypercomplex number, taken apart: real and imaginary parts of both complex numbers, which SIMD lanes hold.
 #[derive(Clone, Copy)]
-pub(super) struct Pair([Complex; 2]);
+pub(super) struct Pair {
+    real: DVec2,
+    imaginary: DVec2,
+}
 
 impl From<DVec4> for Pair {
     #[inline]
     fn from(q: DVec4) -> Self {
-        Self([Complex::new(q.x - q.w, q.y + q.z), Complex::new(q.x + q.w, q.y - q.z)])
+        Self { real: DVec2::new(q.x - q.w, q.x + q.w), imaginary: DVec2::new(q.y + q.z, q.y - q.z) }
     }
 }
 
 impl From<Pair> for DVec4 {
     #[inline]
-    fn from(Pair([a, b]): Pair) -> Self {
-        Self::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (a.y - b.y), 0.5 * (b.x - a.x))
+    fn from(Pair { real: r, imaginary: i }: Pair) -> Self {
+        Self::new(0.5 * (r.x + r.y), 0.5 * (i.x + i.y), 0.5 * (i.x - i.y), 0.5 * (r.y - r.x))
     }
 }
 
 impl Pair {
     #[inline]
-    pub(super) fn times(self, other: Self) -> Self {
-        Self([times(self.0[0], other.0[0]), times(self.0[1], other.0[1])])
+    pub(super) fn times(self, o: Self) -> Self {
+        Self {
+            real: self.real * o.real - self.imaginary * o.imaginary,
+            imaginary: self.real * o.imaginary + self.imaginary * o.real,
+        }
+    }
+
+    #[inline]
+    pub(super) fn plus(self, o: Self) -> Self {
+        Self { real: self.real + o.real, imaginary: self.imaginary + o.imaginary }
+    }
+
+    /// The squared length of the four coordinates.
+    #[inline]
+    pub(super) fn norm(self) -> f64 {
+        0.5 * (self.real * self.real + self.imaginary * self.imaginary).element_sum()
     }
 
     pub(super) fn negated(self) -> Self {
-        Self(self.0.map(|z| -z))
+        Self { real: -self.real, imaginary: -self.imaginary }
     }
 
     /// The function of both parts.
     #[inline]
     pub(super) fn apply(self, function: F) -> Self {
-        let [a, b] = self.0;
         // By far the most frequent ones, and short.
         if matches!(function, F::Sqr | F::Cube) {
-            return Self([times(a, a), times(b, b)]);
+            return self.times(self);
         }
-        Self([complex(function, a), complex(function, b)])
+        let Self { real: r, imaginary: i } = self;
+        let (a, b) = (complex(function, Complex::new(r.x, i.x)), complex(function, Complex::new(r.y, i.y)));
+        Self { real: DVec2::new(a.x, b.x), imaginary: DVec2::new(a.y, b.y) }
     }
 }
 
