@@ -8,10 +8,11 @@
 //! Source: section 5.2 of the function facts (measured).
 
 use super::DVec3;
+use super::lanes::{Lanes, Work, dispatch};
 use super::noise::permuted;
 use super::noise_table::NOISE_TABLE;
 use bytemuck::cast;
-use pulp::{Scalar256b, Simd, f64x4, m64x4, u64x4};
+use pulp::f64x4;
 
 /// The noise at a point, unscaled.
 pub(super) fn noise(point: DVec3) -> f64 {
@@ -54,84 +55,6 @@ impl Series {
         self.first *= self.factor;
         cell
     }
-}
-
-/// Four doubles at once, as the processor has them.
-trait Lanes: Simd<f64s = f64x4, u64s = u64x4, m64s = m64x4> {
-    /// Rounds towards zero.
-    fn truncate(self, v: f64x4) -> f64x4;
-
-    /// The columns of four rows.
-    fn columns(self, rows: [&[f64; 4]; 4]) -> [f64x4; 4];
-}
-
-impl Lanes for Scalar256b {
-    #[inline(always)]
-    fn truncate(self, f64x4(a, b, c, d): f64x4) -> f64x4 {
-        // From 2^52 on every number is whole. Calls of the C library are what this saves.
-        let truncate = |v: f64| if v.abs() < (1_u64 << 52) as f64 { v as i64 as f64 } else { v };
-        f64x4(truncate(a), truncate(b), truncate(c), truncate(d))
-    }
-
-    #[inline(always)]
-    fn columns(self, [a, b, c, d]: [&[f64; 4]; 4]) -> [f64x4; 4] {
-        let column = |i: usize| f64x4(a[i], b[i], c[i], d[i]);
-        [column(0), column(1), column(2), column(3)]
-    }
-}
-
-#[cfg(target_arch = "x86_64")]
-impl Lanes for pulp::x86::V3 {
-    #[inline(always)]
-    fn truncate(self, v: f64x4) -> f64x4 {
-        self.truncate_f64x4(v)
-    }
-
-    #[inline(always)]
-    fn columns(self, [a, b, c, d]: [&[f64; 4]; 4]) -> [f64x4; 4] {
-        let [even, odd] = [self.halves::<0>(a, c), self.halves::<0>(b, d)];
-        let [even_2, odd_2] = [self.halves::<2>(a, c), self.halves::<2>(b, d)];
-        [
-            cast(self.avx._mm256_unpacklo_pd(even, odd)),
-            cast(self.avx._mm256_unpackhi_pd(even, odd)),
-            cast(self.avx._mm256_unpacklo_pd(even_2, odd_2)),
-            cast(self.avx._mm256_unpackhi_pd(even_2, odd_2)),
-        ]
-    }
-}
-
-/// Pieces of rows.
-#[cfg(target_arch = "x86_64")]
-trait Halves {
-    /// Entries `I` and `I + 1` of two rows.
-    fn halves<const I: usize>(self, low: &[f64; 4], high: &[f64; 4]) -> std::arch::x86_64::__m256d;
-}
-
-#[cfg(target_arch = "x86_64")]
-impl Halves for pulp::x86::V3 {
-    #[inline(always)]
-    fn halves<const I: usize>(self, low: &[f64; 4], high: &[f64; 4]) -> std::arch::x86_64::__m256d {
-        let low = self.avx._mm256_castpd128_pd256(cast([low[I], low[I + 1]]));
-        self.avx._mm256_insertf128_pd::<1>(low, cast([high[I], high[I + 1]]))
-    }
-}
-
-/// Work on lanes, whatever they are.
-trait Work {
-    type Output;
-    fn run<S: Lanes>(self, simd: S) -> Self::Output;
-}
-
-/// Does the work with AVX2 where the processor has it.
-fn dispatch<W: Work>(work: W) -> W::Output {
-    #[cfg(target_arch = "x86_64")]
-    if let Some(simd) = pulp::x86::V3::try_new() {
-        return simd.vectorize(
-            #[inline(always)]
-            || work.run(simd),
-        );
-    }
-    work.run(Scalar256b)
 }
 
 struct Noise(DVec3);
@@ -343,6 +266,7 @@ mod tests {
     use super::*;
     use crate::math::MersenneTwister;
     use crate::math::noise::lattice_hash;
+    use pulp::Scalar256b;
 
     /// The noise as section 5.2 writes it down, component by component.
     fn plain(point: DVec3) -> DVec3 {

@@ -12,12 +12,14 @@ mod bounds;
 mod color;
 mod error_bound;
 mod floor;
+pub(crate) mod lanes;
 mod lattice;
 mod mersenne_twister;
 pub mod noise;
 mod noise_table;
 mod ray;
 mod roots;
+pub(crate) mod sine;
 mod transform;
 mod uv;
 

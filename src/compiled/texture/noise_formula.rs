@@ -2,14 +2,15 @@
 //!
 //! Source: sections 3, 4 and 14 of the pattern facts (measured).
 
+use crate::math::lanes::{Lanes, Work, dispatch};
 use crate::math::noise::{
     Congruential, NoiseGenerator, Octaves, halving_noises, halving_vector_noises, turbulence, vector_noise,
     vector_turbulence,
 };
+use crate::math::sine::sines;
 use crate::math::{DVec2, DVec3, fraction};
+use bytemuck::cast;
 use std::f64::consts::TAU;
-use std::iter::Sum;
-use std::ops::Mul;
 
 /// One period of the sine is 1.
 fn sine(turns: f64) -> f64 {
@@ -102,10 +103,30 @@ pub(super) fn double_spiral(arms: f64, inner: Option<&InnerTurbulence>, p: DVec3
     folded((p.x * p.x + p.y * p.y).sqrt()) + folded(spiral(arms, inner, p))
 }
 
-/// Sources of ripples and waves: unit directions and frequencies.
+/// Sources of ripples and waves, four a group.
 #[derive(Clone, Debug)]
 pub struct WaveSources {
-    sources: Vec<(DVec3, f64)>,
+    groups: Box<[SourceGroup]>,
+    count: usize,
+}
+
+/// Four sources; what stands beyond the last one counts nothing.
+#[derive(Clone, Copy, Debug)]
+struct SourceGroup {
+    /// Coordinates of unit vectors towards the sources.
+    directions: [[f64; 4]; 3],
+    frequencies: [f64; 4],
+    /// 1 for a source, 0 for none.
+    present: [f64; 4],
+}
+
+/// Which waves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Waves {
+    /// Of equal length.
+    Ripples,
+    /// Of different lengths; long ones are higher.
+    Waves,
 }
 
 /// Seed of the frequencies, as measured.
@@ -115,50 +136,99 @@ impl WaveSources {
     /// `number_of_waves` sources.
     pub fn new(n: u32) -> Self {
         let mut random = Congruential(FREQUENCY_SEED);
-        let source = |i: u32| {
-            let direction = vector_noise(DVec3::new(f64::from(i), 0.0, 0.0)).normalize_or(DVec3::X);
+        let nothing = SourceGroup { directions: [[0.0; 4]; 3], frequencies: [1.0; 4], present: [0.0; 4] };
+        let mut groups = vec![nothing; (n as usize).div_ceil(4)];
+        for i in 0..n as usize {
+            let direction = vector_noise(DVec3::new(i as f64, 0.0, 0.0)).normalize_or(DVec3::X).to_array();
+            let group = &mut groups[i / 4];
+            for (coordinates, coordinate) in group.directions.iter_mut().zip(direction) {
+                coordinates[i % 4] = coordinate;
+            }
             // 1/32767 to as many digits as POV-Ray has, and a least frequency.
-            (direction, f64::from(random.draw()) * 0.000_030_518_509_476 + 0.01)
-        };
-        Self { sources: (0..n).map(source).collect() }
-    }
-
-    /// Mean of `term` over all sources; it gets the unit direction from a source, the distance and the frequency.
-    fn mean<T>(&self, p: DVec3, term: impl Fn(DVec3, f64, f64) -> T) -> T
-    where
-        T: Sum + Mul<f64, Output = T>,
-    {
-        let sum: T = self
-            .sources
-            .iter()
-            .map(|(source, w)| {
-                let offset = p - *source;
-                let distance = offset.length();
-                let distance = if distance == 0.0 { 1.0 } else { distance };
-                term(offset / distance, distance, *w)
-            })
-            .sum();
-        sum * (1.0 / self.sources.len() as f64)
+            group.frequencies[i % 4] = f64::from(random.draw()) * 0.000_030_518_509_476 + 0.01;
+            group.present[i % 4] = 1.0;
+        }
+        Self { groups: groups.into(), count: n as usize }
     }
 
     /// Ripples of equal length.
     pub(super) fn ripples(&self, frequency: f64, phase: f64, p: DVec3) -> f64 {
-        0.5 * (1.0 + self.mean(p, |_, d, _| sine(frequency * d + phase)))
+        0.5 * (1.0 + self.mean::<false>(Waves::Ripples, frequency, phase, p).x)
     }
 
     /// Waves of different lengths; long ones are higher.
     pub(super) fn waves(&self, frequency: f64, phase: f64, p: DVec3) -> f64 {
-        0.2 * (2.5 + self.mean(p, |_, d, w| sine(frequency * w * d + phase) / w))
+        0.2 * (2.5 + self.mean::<false>(Waves::Waves, frequency, phase, p).x)
     }
 
     /// Displacement of a normal by ripples.
     pub(super) fn ripples_bump(&self, frequency: f64, phase: f64, p: DVec3) -> DVec3 {
-        self.mean(p, |away, d, _| away * sine(frequency * d + phase))
+        self.mean::<true>(Waves::Ripples, frequency, phase, p)
     }
 
     /// Displacement of a normal by waves.
     pub(super) fn waves_bump(&self, frequency: f64, phase: f64, p: DVec3) -> DVec3 {
-        self.mean(p, |away, d, w| away * (sine(frequency * w * d + phase) / w))
+        self.mean::<true>(Waves::Waves, frequency, phase, p)
+    }
+
+    /// Mean height of the waves of all sources, in x; for bumps heights times unit directions away from the sources.
+    fn mean<const BUMP: bool>(&self, waves: Waves, frequency: f64, phase: f64, p: DVec3) -> DVec3 {
+        dispatch(Heights::<BUMP> { groups: &self.groups, waves, frequency, phase, p }) * (1.0 / self.count as f64)
+    }
+}
+
+/// The sum of the heights of waves.
+struct Heights<'s, const BUMP: bool> {
+    groups: &'s [SourceGroup],
+    waves: Waves,
+    frequency: f64,
+    phase: f64,
+    p: DVec3,
+}
+
+impl<const BUMP: bool> Work for Heights<'_, BUMP> {
+    type Output = DVec3;
+
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) -> DVec3 {
+        let p = self.p.to_array();
+        let (zero, one, tau) = (simd.splat_f64s(0.0), simd.splat_f64s(1.0), simd.splat_f64s(TAU));
+        let (frequency, phase) = (simd.splat_f64s(self.frequency), simd.splat_f64s(self.phase));
+        let mut sums = [zero; 3];
+        for group in self.groups {
+            let [x, y, z] = [0, 1, 2].map(
+                #[inline(always)]
+                |i: usize| simd.sub_f64s(simd.splat_f64s(p[i]), cast(group.directions[i])),
+            );
+            let squares = simd.add_f64s(simd.mul_f64s(x, x), simd.mul_f64s(y, y));
+            let distance = simd.sqrt_f64s(simd.add_f64s(squares, simd.mul_f64s(z, z)));
+            let distance = simd.select_f64s(simd.equal_f64s(distance, zero), one, distance);
+            let own = cast(group.frequencies);
+            let height = match self.waves {
+                Waves::Ripples => {
+                    let turns = simd.add_f64s(simd.mul_f64s(frequency, distance), phase);
+                    sines(simd, simd.mul_f64s(tau, turns))
+                }
+                Waves::Waves => {
+                    let turns = simd.mul_f64s(simd.mul_f64s(frequency, own), distance);
+                    simd.div_f64s(sines(simd, simd.mul_f64s(tau, simd.add_f64s(turns, phase))), own)
+                }
+            };
+            let height = simd.mul_f64s(height, cast(group.present));
+            if BUMP {
+                let height = simd.div_f64s(height, distance);
+                for (sum, offset) in sums.iter_mut().zip([x, y, z]) {
+                    *sum = simd.add_f64s(*sum, simd.mul_f64s(offset, height));
+                }
+            } else {
+                sums[0] = simd.add_f64s(sums[0], height);
+            }
+        }
+        let [x, y, z] = sums.map(
+            #[inline(always)]
+            |sum| simd.reduce_sum_f64s(sum),
+        );
+        DVec3::new(x, y, z)
     }
 }
 
@@ -195,10 +265,11 @@ mod tests {
     fn sources_are_those_of_povray() {
         let w = WaveSources::new(10);
         let frequencies = [0.919115878781, 0.960041199988, 0.433169652394, 0.709301126133, 0.689189428388];
-        for (source, expected) in w.sources.iter().zip(frequencies) {
-            assert!((source.1 - expected).abs() < 1e-12);
+        for (i, expected) in frequencies.into_iter().enumerate() {
+            assert!((w.groups[i / 4].frequencies[i % 4] - expected).abs() < 1e-12);
         }
-        let close = |i: usize, d: [f64; 3]| assert!((w.sources[i].0 - DVec3::from(d)).abs().max_element() < 1e-6);
+        let direction = |i: usize| DVec3::from_array(w.groups[i / 4].directions.map(|lanes| lanes[i % 4]));
+        let close = |i: usize, d: [f64; 3]| assert!((direction(i) - DVec3::from(d)).abs().max_element() < 1e-6);
         close(0, [-0.604378, 0.492048, -0.626590]);
         close(9, [0.564897, 0.722041, -0.399436]);
     }
