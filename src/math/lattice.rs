@@ -36,10 +36,9 @@ pub(super) struct Series {
 }
 
 impl Series {
-    /// Folds the unscaled noises at `count` frequencies. `add` should be inlined always, to be compiled for the
-    /// processor's lanes as what calls it.
-    pub(super) fn fold<T>(self, count: usize, init: T, add: impl FnMut(T, f64) -> T) -> T {
-        dispatch(Fold { series: self, count, init, add })
+    /// Writes the unscaled noises at as many frequencies as there is room for.
+    pub(super) fn noises(self, noises: &mut [f64]) {
+        dispatch(Noises { series: self, noises });
     }
 
     /// The sum of `count` vector noises, or of their absolute values. The first has weight 1, every other `ratio` times
@@ -79,27 +78,24 @@ impl Work for VectorNoise {
     }
 }
 
-struct Fold<T, F> {
+struct Noises<'a> {
     series: Series,
-    count: usize,
-    init: T,
-    add: F,
+    noises: &'a mut [f64],
 }
 
-impl<T, F: FnMut(T, f64) -> T> Work for Fold<T, F> {
-    type Output = T;
+impl Work for Noises<'_> {
+    type Output = ();
 
     #[inline(always)]
-    fn run<S: Lanes>(self, simd: S) -> T {
-        let Self { mut series, count, init: mut sum, mut add } = self;
+    fn run<S: Lanes>(self, simd: S) {
+        let Self { mut series, noises } = self;
         // A cell waits for its table rows while the noise of the one before is summed up: that is worth the one
         // cell too many.
         let mut next = series.next_cell(simd);
-        for _ in 0..count {
+        for noise in noises {
             let cell = std::mem::replace(&mut next, series.next_cell(simd));
-            sum = add(sum, cell.noise(simd));
+            *noise = cell.noise(simd);
         }
-        sum
     }
 }
 
@@ -265,7 +261,7 @@ static COLUMNS: Columns = Columns({
 mod tests {
     use super::*;
     use crate::math::MersenneTwister;
-    use crate::math::noise::lattice_hash;
+    use crate::math::noise::{MAX_OCTAVES, lattice_hash};
     use pulp::Scalar256b;
 
     /// The noise as section 5.2 writes it down, component by component.
@@ -299,12 +295,9 @@ mod tests {
             .map(|frequency| series.point * frequency)
             .collect();
         let expected: Vec<_> = points.iter().map(|p| plain(*p)).collect();
-        let push = |mut all: Vec<f64>, noise: f64| {
-            all.push(noise);
-            all
-        };
-        let noises = series.fold(count, Vec::new(), push);
-        let scalar = Fold { series, count, init: Vec::new(), add: push }.run(Scalar256b);
+        let (mut noises, mut scalar) = (vec![0.0; count], vec![0.0; count]);
+        series.noises(&mut noises);
+        Noises { series, noises: &mut scalar }.run(Scalar256b);
         for i in 0..count {
             let all = [noise(points[i]), Noise(points[i]).run(Scalar256b), noises[i], scalar[i]];
             assert!(all.iter().all(|n| *n == expected[i].x), "{series:?}: {all:?} for {}", expected[i].x);
@@ -326,7 +319,7 @@ mod tests {
         for i in 0..4000 {
             let size = 10.0_f64.powi(i % 8 - 2);
             let point = size * DVec3::new(next(), next(), next());
-            check(Series { point, first: 1.0, factor: 2.0 + next() }, 1 + i as usize % 10);
+            check(Series { point, first: 1.0, factor: 2.0 + next() }, 1 + i as usize % MAX_OCTAVES);
         }
         // Whole and nearly whole coordinates, where the cell changes.
         for c in [0.0, -0.0, 1.0, -1.0, -1e-10, -1e-11, 0.5, -4096.0, 1e5] {

@@ -89,12 +89,10 @@ pub fn noise(generator: NoiseGenerator, p: DVec3) -> f64 {
     }
 }
 
-#[inline(always)]
 fn original(lattice: f64) -> f64 {
     (lattice + 0.5).clamp(0.0, 1.0)
 }
 
-#[inline(always)]
 fn corrected(lattice: f64) -> f64 {
     // The two constants make the range of the raw noise fit 0..1.
     ((lattice + 1.05242) * 0.48985582).clamp(0.0, 1.0)
@@ -177,7 +175,7 @@ pub struct Octaves {
 
 impl Octaves {
     fn count(self) -> usize {
-        self.count.clamp(1, MAX_OCTAVES) as usize
+        self.count.clamp(1, MAX_OCTAVES as u32) as usize
     }
 }
 
@@ -195,68 +193,44 @@ pub fn halving_vector_noises(p: DVec3, count: usize) -> DVec3 {
 
 /// Sum of noises of rising frequency.
 pub fn turbulence(generator: NoiseGenerator, octaves: Octaves, p: DVec3) -> f64 {
+    let mut room = [0.0; MAX_OCTAVES];
+    let noises = &mut room[..octaves.count()];
+    fill_noises(generator, p, 1.0, f64::from(octaves.lambda), noises);
     let octave = |noise: f64| match generator {
         NoiseGenerator::Original => noise,
         _ => 2.0 * noise - 0.5,
     };
     let omega = f64::from(octaves.omega);
-    let series = Series { point: p, first: 1.0, factor: f64::from(octaves.lambda) };
-    let (sum, _) = fold_noises(
-        generator,
-        series,
-        octaves.count(),
-        (None, omega),
-        #[inline(always)]
-        |(sum, weight), noise| match sum {
-            None => (Some(octave(noise).clamp(0.0, 1.0)), weight),
-            Some(sum) => (Some(sum + weight * octave(noise)), weight * omega),
-        },
-    );
-    sum.unwrap_or(0.0)
-}
-
-/// Sum of `count` noises, each put through `term`, with twice the frequency and half the weight of the one before;
-/// the first has weight 1. `term` should be inlined always.
-pub fn halving_noises(generator: NoiseGenerator, p: DVec3, first: f64, count: usize, term: impl Fn(f64) -> f64) -> f64 {
-    let series = Series { point: p, first, factor: 2.0 };
-    let (sum, _) = fold_noises(
-        generator,
-        series,
-        count,
-        (0.0, 1.0),
-        #[inline(always)]
-        |(sum, weight), noise| (sum + term(noise) * weight, 0.5 * weight),
-    );
-    sum
+    let mut weight = omega;
+    noises[1..].iter().fold(octave(noises[0]).clamp(0.0, 1.0), |sum, noise| {
+        let weighted = weight * octave(*noise);
+        weight *= omega;
+        sum + weighted
+    })
 }
 
 /// The most noises that are summed up at a point.
-const MAX_OCTAVES: u32 = 10;
+pub const MAX_OCTAVES: usize = 10;
 
-fn fold_noises<T>(
-    generator: NoiseGenerator,
-    series: Series,
-    count: usize,
-    init: T,
-    mut add: impl FnMut(T, f64) -> T,
-) -> T {
-    match generator {
-        NoiseGenerator::Original => series.fold(
-            count,
-            init,
-            #[inline(always)]
-            |sum, lattice| add(sum, original(lattice)),
-        ),
-        NoiseGenerator::Corrected => series.fold(
-            count,
-            init,
-            #[inline(always)]
-            |sum, lattice| add(sum, corrected(lattice)),
-        ),
-        NoiseGenerator::Perlin => std::iter::successors(Some(series.first), |f| Some(f * series.factor))
-            .take(count)
-            .fold(init, |sum, frequency| add(sum, perlin(series.point * frequency))),
-    }
+/// Noises at `p` times `first`, `first * factor` and so on.
+pub fn noises<const COUNT: usize>(generator: NoiseGenerator, p: DVec3, first: f64, factor: f64) -> [f64; COUNT] {
+    let mut noises = [0.0; COUNT];
+    fill_noises(generator, p, first, factor, &mut noises);
+    noises
+}
+
+fn fill_noises(generator: NoiseGenerator, p: DVec3, first: f64, factor: f64, noises: &mut [f64]) {
+    let scaled = match generator {
+        NoiseGenerator::Original => original,
+        NoiseGenerator::Corrected => corrected,
+        NoiseGenerator::Perlin => {
+            let frequencies = std::iter::successors(Some(first), |f| Some(f * factor));
+            noises.iter_mut().zip(frequencies).for_each(|(noise, frequency)| *noise = perlin(p * frequency));
+            return;
+        }
+    };
+    Series { point: p, first, factor }.noises(noises);
+    noises.iter_mut().for_each(|noise| *noise = scaled(*noise));
 }
 
 #[cfg(test)]

@@ -4,8 +4,7 @@
 
 use crate::math::lanes::{Lanes, Work, dispatch};
 use crate::math::noise::{
-    Congruential, NoiseGenerator, Octaves, halving_noises, halving_vector_noises, turbulence, vector_noise,
-    vector_turbulence,
+    Congruential, NoiseGenerator, Octaves, halving_vector_noises, noises, turbulence, vector_noise, vector_turbulence,
 };
 use crate::math::sine::sines;
 use crate::math::{DVec2, DVec3, fraction};
@@ -19,38 +18,37 @@ fn sine(turns: f64) -> f64 {
 
 /// Granite: six octaves of folded noise.
 pub(super) fn granite(generator: NoiseGenerator, p: DVec3) -> f64 {
-    halving_noises(
-        generator,
-        p,
-        4.0,
-        6,
-        #[inline(always)]
-        |n| match generator {
-            NoiseGenerator::Original => (0.5 - n).abs(),
-            _ => (1.0 - 2.0 * n).abs().min(0.5),
-        },
-    )
+    let fold = |n: f64| match generator {
+        NoiseGenerator::Original => (0.5 - n).abs(),
+        _ => (1.0 - 2.0 * n).abs().min(0.5),
+    };
+    halving(noises::<6>(generator, p, 4.0, 2.0).map(fold))
 }
 
 /// Wrinkles: ten octaves of noise.
 pub(super) fn wrinkles(generator: NoiseGenerator, p: DVec3) -> f64 {
-    let sum = halving_noises(
-        generator,
-        p,
-        1.0,
-        10,
-        #[inline(always)]
-        |n| match generator {
-            NoiseGenerator::Original => n,
-            _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
-        },
-    );
-    0.5 * sum
+    let fold = |n: f64| match generator {
+        NoiseGenerator::Original => n,
+        _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
+    };
+    0.5 * halving(noises::<10>(generator, p, 1.0, 2.0).map(fold))
 }
 
 /// Displacement of a normal by wrinkles.
 pub(super) fn wrinkles_bump(p: DVec3) -> DVec3 {
     halving_vector_noises(p, 10)
+}
+
+/// The sum of terms, each with half the weight of the one before.
+fn halving<const COUNT: usize>(terms: [f64; COUNT]) -> f64 {
+    let mut weight = 2.0;
+    terms
+        .into_iter()
+        .map(|term| {
+            weight *= 0.5;
+            term * weight
+        })
+        .sum()
 }
 
 /// Agate: bands along z, shifted by turbulence of strength `amount`.
