@@ -62,37 +62,47 @@ fn picture<G: Gather>(world: &World, options: &Options, pixels: &[G]) -> Picture
 fn render_pixels<G: Gather>(world: &World, options: &Options, progress: Progress<'_>) -> (Vec<G>, Statistics) {
     let window = options.window();
     let blocks = blocks(&window);
-    let work = || -> Vec<(Vec<G>, Statistics)> {
+    let mut all = vec![G::default(); window.width() * window.height()];
+    let parts = rows_of(&blocks, &window, &mut all);
+    let work = || -> Vec<Statistics> {
         blocks
             .par_iter()
+            .zip(parts)
             .map_init(
                 || Tracer::new(world, options),
-                |tracer, block| {
-                    let pixels = render_block(tracer, options, block);
+                |tracer, (block, rows)| {
+                    let mut pixels = render_block(tracer, options, block).into_iter();
                     progress(pixels.len());
-                    (pixels, tracer.take_statistics())
+                    rows.into_iter().flatten().zip(&mut pixels).for_each(|(out, pixel)| *out = pixel);
+                    tracer.take_statistics()
                 },
             )
             .collect()
     };
     // Deep recursion through glass needs more than the usual stack.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads).stack_size(64 << 20).build();
-    let finished = match pool {
+    let counts = match pool {
         Ok(pool) => pool.install(work),
         // Without threads of our own the common ones must do.
         Err(_) => work(),
     };
-    let mut all = vec![G::default(); window.width() * window.height()];
-    let mut statistics = Statistics::default();
-    for (block, (pixels, counts)) in blocks.iter().zip(finished) {
-        statistics = statistics.plus(counts);
-        let mut pixels = pixels.into_iter();
-        for y in block.y..block.y + block.height {
-            let first = (y - window.top) * window.width() + block.x - window.left;
-            all[first..first + block.width].iter_mut().zip(&mut pixels).for_each(|(out, pixel)| *out = pixel);
+    (all, counts.into_iter().fold(Statistics::default(), Statistics::plus))
+}
+
+/// The pixels of each block, row by row, among all of the window.
+fn rows_of<'p, G>(blocks: &[Block], window: &Region, all: &'p mut [G]) -> Vec<Vec<&'p mut [G]>> {
+    let mut parts: Vec<Vec<&mut [G]>> = blocks.iter().map(|block| Vec::with_capacity(block.height)).collect();
+    for (y, mut row) in (window.top..).zip(all.chunks_mut(window.width().max(1))) {
+        // Blocks come row by row.
+        let first = blocks.partition_point(|block| block.y + block.height <= y);
+        let end = blocks.partition_point(|block| block.y <= y);
+        for (block, part) in blocks[first..end].iter().zip(&mut parts[first..end]) {
+            let (own, rest) = row.split_at_mut(block.width);
+            part.push(own);
+            row = rest;
         }
     }
-    (all, statistics)
+    parts
 }
 
 /// The window cut along the lines of the full picture's blocks.
