@@ -48,7 +48,7 @@ pub(super) type Positions = SmallVec<[u32; 16]>;
 
 /// Boxes in a hierarchy, and what has none.
 #[derive(Clone, Debug)]
-pub(super) struct Tree {
+pub(crate) struct Tree {
     bvh: Bvh,
     /// Position of each box in the order of the hierarchy.
     order: Vec<u32>,

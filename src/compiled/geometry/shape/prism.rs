@@ -2,8 +2,10 @@
 
 use super::outline::{Segment, around, odd_right_of};
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
+use crate::compiled::geometry::parts::{Tree, WORTH_A_TREE};
 use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
+use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// Closed curves that belong together: what an odd number of them surrounds is inside.
@@ -16,13 +18,15 @@ pub(crate) struct Outline {
     max: DVec2,
     /// Around the outline swept by its prism.
     swept: Bounds,
+    /// How many segments the prism's outlines before it have.
+    first: u32,
 }
 
 impl Outline {
     pub(crate) fn new(segments: Vec<Segment>) -> Self {
         let hulls: Box<_> = segments.iter().map(Segment::bounds).collect();
         let [min, max] = around(&hulls);
-        Self { segments: segments.into(), hulls, min, max, swept: Bounds::EMPTY }
+        Self { segments: segments.into(), hulls, min, max, swept: Bounds::EMPTY, first: 0 }
     }
 
     fn contains(&self, p: DVec2) -> bool {
@@ -35,6 +39,8 @@ impl Outline {
 pub(crate) struct Prism {
     /// Solids beside each other: one for a prism, one for each glyph of a text.
     pub(crate) outlines: Arc<[Outline]>,
+    /// Finds outlines where there are many.
+    pub(crate) tree: Option<Arc<Tree>>,
     pub(crate) low: f64,
     pub(crate) high: f64,
     /// The outline stands at y = 1 and grows from the origin.
@@ -79,7 +85,10 @@ impl Prism {
     /// Closed, with everything inside, caps as prisms have them.
     pub(crate) fn new(mut outlines: Vec<Outline>, heights: [f64; 2], conic: bool) -> Self {
         let [low, high] = heights;
+        let mut first = 0;
         for outline in &mut outlines {
+            outline.first = first;
+            first += outline.segments.len() as u32;
             let corner = |y: f64| {
                 let scale = if conic { y } else { 1.0 };
                 let (a, b) = (outline.min * scale, outline.max * scale);
@@ -87,8 +96,10 @@ impl Prism {
             };
             outline.swept = super::super::graph::padded(corner(low).union(&corner(high)));
         }
+        let swept: Vec<Bounds> = outlines.iter().map(|outline| outline.swept).collect();
+        let tree = (!conic && swept.len() >= WORTH_A_TREE).then(|| Arc::new(Tree::new(&swept)));
         let outlines = outlines.into();
-        Self { outlines, low, high, conic, open: false, caps_only: false, outward_caps: false }
+        Self { outlines, tree, low, high, conic, open: false, caps_only: false, outward_caps: false }
     }
 
     /// The box in which a ray's shadow on the plane of an outline passes over it; `None` for nowhere.
@@ -133,12 +144,12 @@ impl Prism {
         }
     }
 
-    fn pieces(&self) -> impl Iterator<Item = (&Outline, u32)> {
-        self.outlines.iter().scan(0, |first, outline| {
-            let start = *first;
-            *first += outline.segments.len() as u32;
-            Some((outline, start))
-        })
+    /// Outlines that a ray may meet, in their order, and perhaps others.
+    fn met_by(&self, ray: &Ray, range: Range) -> SmallVec<[&Outline; 16]> {
+        match &self.tree {
+            Some(tree) => tree.met_by(ray, range).into_iter().map(|i| &self.outlines[i as usize]).collect(),
+            None => self.outlines.iter().collect(),
+        }
     }
 
     fn size(&self) -> f64 {
@@ -154,10 +165,10 @@ impl Primitive for Prism {
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
         let (shadow, slabs) = (self.shadow(ray), SlabRay::new(ray));
-        for (outline, first) in self.pieces() {
+        for outline in self.met_by(ray, range) {
             let Some([low, high]) = self.passage(outline, &slabs, range) else { continue };
             let sides = if self.caps_only { &[][..] } else { &outline.segments[..] };
-            for ((segment, part), hull) in sides.iter().zip(first..).zip(&outline.hulls) {
+            for ((segment, part), hull) in sides.iter().zip(outline.first..).zip(&outline.hulls) {
                 let aside = hull[1].cmplt(low).any() || hull[0].cmpgt(high).any();
                 if aside || !shadow.may_meet(hull) {
                     continue;
@@ -199,9 +210,10 @@ impl Primitive for Prism {
             HIGH_CAP => return LocalSurface::plain(point.with_y(self.high), error, DVec3::Y),
             _ => {}
         }
-        let owner = self.pieces().find(|(o, first)| part >= *first && part < first + o.segments.len() as u32);
-        let Some((outline, first)) = owner else { return LocalSurface::plain(point, error, DVec3::Y) };
-        let segment = &outline.segments[(part - first) as usize];
+        let owner = self.outlines[..self.outlines.partition_point(|outline| outline.first <= part)].last();
+        let Some(segment) = owner.and_then(|outline| outline.segments.get((part - outline.first) as usize)) else {
+            return LocalSurface::plain(point, error, DVec3::Y);
+        };
         let mut nearest = (f64::INFINITY, 0.0);
         self.sides(segment, ray, &self.shadow(ray), |s, w| {
             if (s - t).abs() < nearest.0 {
