@@ -36,23 +36,26 @@ pub(crate) fn sines<S: Lanes>(simd: S, angles: f64x4) -> f64x4 {
         let f64x4(a, b, c, d) = angles;
         return f64x4(a.sin(), b.sin(), c.sin(), d.sin());
     }
-    let splat = |v: f64| simd.splat_f64s(v);
-    let rounded = |v: f64x4| simd.sub_f64s(simd.add_f64s(v, splat(TO_WHOLE)), splat(TO_WHOLE));
-    let halves = rounded(simd.mul_f64s(angles, splat(FRAC_1_PI)));
+    let halves = rounded(simd, simd.mul_f64s(angles, simd.splat_f64s(FRAC_1_PI)));
     // Exact but for the last part (Cody and Waite 1980, Software Manual for the Elementary Functions).
-    let rest = simd.sub_f64s(angles, simd.mul_f64s(halves, splat(PI_PARTS[0])));
-    let rest = simd.sub_f64s(rest, simd.mul_f64s(halves, splat(PI_PARTS[1])));
-    let rest = simd.sub_f64s(rest, simd.mul_f64s(halves, splat(PI_PARTS[2])));
+    let rest = simd.sub_f64s(angles, simd.mul_f64s(halves, simd.splat_f64s(PI_PARTS[0])));
+    let rest = simd.sub_f64s(rest, simd.mul_f64s(halves, simd.splat_f64s(PI_PARTS[1])));
+    let rest = simd.sub_f64s(rest, simd.mul_f64s(halves, simd.splat_f64s(PI_PARTS[2])));
     let square = simd.mul_f64s(rest, rest);
-    let mut tail = splat(SERIES[10]);
-    for coefficient in SERIES[1..10].iter().rev() {
-        tail = simd.add_f64s(splat(*coefficient), simd.mul_f64s(square, tail));
+    let mut tail = simd.splat_f64s(SERIES[10]);
+    for i in (1..10).rev() {
+        tail = simd.add_f64s(simd.splat_f64s(SERIES[i]), simd.mul_f64s(square, tail));
     }
     let sine = simd.add_f64s(rest, simd.mul_f64s(simd.mul_f64s(rest, square), tail));
     // 1 after an odd number of half turns, 0 after an even one.
-    let even = simd.mul_f64s(splat(2.0), rounded(simd.mul_f64s(halves, splat(0.5))));
-    let odd = simd.abs_f64s(simd.sub_f64s(halves, even));
-    simd.mul_f64s(sine, simd.sub_f64s(splat(1.0), simd.mul_f64s(splat(2.0), odd)))
+    let pairs = rounded(simd, simd.mul_f64s(halves, simd.splat_f64s(0.5)));
+    let odd = simd.abs_f64s(simd.sub_f64s(halves, simd.add_f64s(pairs, pairs)));
+    simd.mul_f64s(sine, simd.sub_f64s(simd.splat_f64s(1.0), simd.add_f64s(odd, odd)))
+}
+
+#[inline(always)]
+fn rounded<S: Lanes>(simd: S, v: f64x4) -> f64x4 {
+    simd.sub_f64s(simd.add_f64s(v, simd.splat_f64s(TO_WHOLE)), simd.splat_f64s(TO_WHOLE))
 }
 
 #[cfg(test)]

@@ -189,15 +189,13 @@ impl<const BUMP: bool> Work for Heights<'_, BUMP> {
 
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) -> DVec3 {
-        let p = self.p.to_array();
         let (zero, one, tau) = (simd.splat_f64s(0.0), simd.splat_f64s(1.0), simd.splat_f64s(TAU));
         let (frequency, phase) = (simd.splat_f64s(self.frequency), simd.splat_f64s(self.phase));
         let mut sums = [zero; 3];
         for group in self.groups {
-            let [x, y, z] = [0, 1, 2].map(
-                #[inline(always)]
-                |i: usize| simd.sub_f64s(simd.splat_f64s(p[i]), cast(group.directions[i])),
-            );
+            let x = simd.sub_f64s(simd.splat_f64s(self.p.x), cast(group.directions[0]));
+            let y = simd.sub_f64s(simd.splat_f64s(self.p.y), cast(group.directions[1]));
+            let z = simd.sub_f64s(simd.splat_f64s(self.p.z), cast(group.directions[2]));
             let squares = simd.add_f64s(simd.mul_f64s(x, x), simd.mul_f64s(y, y));
             let distance = simd.sqrt_f64s(simd.add_f64s(squares, simd.mul_f64s(z, z)));
             let distance = simd.select_f64s(simd.equal_f64s(distance, zero), one, distance);
@@ -215,18 +213,14 @@ impl<const BUMP: bool> Work for Heights<'_, BUMP> {
             let height = simd.mul_f64s(height, cast(group.present));
             if BUMP {
                 let height = simd.div_f64s(height, distance);
-                for (sum, offset) in sums.iter_mut().zip([x, y, z]) {
-                    *sum = simd.add_f64s(*sum, simd.mul_f64s(offset, height));
-                }
+                sums[0] = simd.add_f64s(sums[0], simd.mul_f64s(x, height));
+                sums[1] = simd.add_f64s(sums[1], simd.mul_f64s(y, height));
+                sums[2] = simd.add_f64s(sums[2], simd.mul_f64s(z, height));
             } else {
                 sums[0] = simd.add_f64s(sums[0], height);
             }
         }
-        let [x, y, z] = sums.map(
-            #[inline(always)]
-            |sum| simd.reduce_sum_f64s(sum),
-        );
-        DVec3::new(x, y, z)
+        DVec3::new(simd.reduce_sum_f64s(sums[0]), simd.reduce_sum_f64s(sums[1]), simd.reduce_sum_f64s(sums[2]))
     }
 }
 
