@@ -1,4 +1,4 @@
-//! Rounding down without a call of the C library, which it is where the build may not count on SSE4.1.
+//! Rounding without a call of the C library, which it is where the build may not count on SSE4.1.
 
 /// Adding this and taking it away again rounds to a whole number, up to 2^51.
 const TO_WHOLE: f64 = ((1_u64 << 52) + (1 << 51)) as f64;
@@ -12,6 +12,14 @@ pub fn floor(v: f64) -> f64 {
     } else {
         v.floor()
     }
+}
+
+/// The nearest whole number; halves go away from zero.
+#[inline]
+pub fn round(v: f64) -> f64 {
+    let size = v.abs();
+    let below = floor(size);
+    (if size - below >= 0.5 { below + 1.0 } else { below }).copysign(v)
 }
 
 /// What a number is above the next whole one below it.
@@ -31,12 +39,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rounds_down_as_the_library_does() {
+    fn rounds_as_the_library_does() {
         let up = |v: f64| [v.next_down(), v, v.next_up()];
         let sizes = (-60..64).map(|e| 2.0_f64.powi(e));
         let numbers = sizes.flat_map(|s| [s, 1.5 * s, 0.3 * s, 7.0 * s]).chain([0.0, 0.5, f64::INFINITY]).flat_map(up);
         for v in numbers.flat_map(|v| [v, -v]) {
             assert_eq!(floor(v), v.floor(), "{v:e}");
+            assert_eq!(round(v), v.round(), "{v:e}");
         }
         assert!(floor(f64::NAN).is_nan());
     }

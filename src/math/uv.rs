@@ -31,6 +31,13 @@ impl Uv {
 /// Longitude from +x towards +z and latitude from -y to +y of a unit vector, each over 0 ..= 1.
 pub fn spherical_uv(n: DVec3) -> DVec2 {
     // POV-Ray's threshold for a pole.
-    let u = if n.x * n.x + n.z * n.z <= 1e-10 { 0.0 } else { n.z.atan2(n.x).rem_euclid(TAU) / TAU };
+    let u = if n.x * n.x + n.z * n.z <= 1e-10 { 0.0 } else { full_turn_angle(n.z, n.x) / TAU };
     DVec2::new(u, 0.5 + n.y.clamp(-1.0, 1.0).asin() / PI)
+}
+
+/// The angle of the direction (x, y) from +x toward +y, from 0 to a whole turn.
+#[inline]
+pub fn full_turn_angle(y: f64, x: f64) -> f64 {
+    let angle = y.atan2(x);
+    if angle < 0.0 { angle + TAU } else { angle }
 }

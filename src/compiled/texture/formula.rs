@@ -2,7 +2,7 @@
 
 use super::{Context, Pattern, PatternKind, Pigment, crackle, noise_formula};
 use crate::math::noise::{noise, vector_noise};
-use crate::math::{DVec3, floor, fraction, gray, modulo};
+use crate::math::{DVec3, floor, fraction, gray, modulo, round};
 use std::f64::consts::{PI, TAU};
 
 /// POV-Ray's offset that keeps exact borders on the upper cell.
@@ -44,7 +44,7 @@ fn elaborate(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
         PatternKind::Granite(generator) => noise_formula::granite(*generator, p),
         PatternKind::Hexagon => hexagon(p.x, p.z),
         PatternKind::Image(image, mapping) => image.pattern_value(mapping, p),
-        PatternKind::Leopard => leopard(p),
+        PatternKind::Leopard => noise_formula::leopard(p),
         PatternKind::Marble(inner) => noise_formula::marble(inner.as_deref(), p),
         PatternKind::Material(image, mapping, n) => image.material_index(mapping, p, *n) as f64,
         PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p))),
@@ -104,10 +104,6 @@ fn angle_of_incidence(context: &Context) -> f64 {
     normal.dot(context.direction).clamp(-1.0, 1.0).acos() / PI
 }
 
-fn leopard(p: DVec3) -> f64 {
-    ((p.x.sin() + p.y.sin() + p.z.sin()) / 3.0).powi(2)
-}
-
 fn gray_at(pigment: &Pigment, p: DVec3, context: &Context) -> f64 {
     f64::from(gray(pigment.color_or_clear(p, context).rgb))
 }
@@ -143,7 +139,7 @@ fn hexagon(x: f64, z: f64) -> f64 {
     let first = floor(x / 1.5);
     let center = |a: f64| {
         // The nearest b of the same parity as a.
-        let b = 2.0 * ((z / TRIANGLE_HEIGHT - a) * 0.5).round() + a;
+        let b = 2.0 * round((z / TRIANGLE_HEIGHT - a) * 0.5) + a;
         ((x - 1.5 * a).powi(2) + (z - TRIANGLE_HEIGHT * b).powi(2), (b - 3.0 * a) * 0.5)
     };
     let (near, far) = (center(first), center(first + 1.0));

@@ -2,7 +2,7 @@
 //!
 //! Source: section 13 of the facts about free-form shapes (measured).
 
-use crate::math::{Color, DVec3, Rgb, gray};
+use crate::math::{Color, DVec3, Rgb, floor, gray};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
@@ -118,8 +118,9 @@ impl Mapping {
             return smallvec::smallvec![(nearest(y, height) * width + nearest(x, width), 1.0)];
         }
         let (x, y) = (x + 0.5, y + 0.5);
-        let (i, j) = (x.floor() as i64, y.floor() as i64);
-        let (p, q) = (x - x.floor(), y - y.floor());
+        let (left, top) = (floor(x), floor(y));
+        let (i, j) = (left as i64, top as i64);
+        let (p, q) = (x - left, y - top);
         let grid = |first: i64, u: &[f64], v: &[f64]| {
             let columns = |b: usize, wv: f64| {
                 u.iter().enumerate().map(move |(a, wu)| (a, b, wu * wv)).collect::<smallvec::SmallVec<[_; 4]>>()

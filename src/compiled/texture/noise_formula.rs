@@ -1,4 +1,4 @@
-//! Patterns made of noise, and of waves from scattered sources; their values and their bumps.
+//! Patterns made of noise and of waves; their values and their bumps.
 //!
 //! Source: sections 3, 4 and 14 of the pattern facts (measured).
 
@@ -7,7 +7,7 @@ use crate::math::noise::{
     Congruential, NoiseGenerator, Octaves, halving_vector_noises, noises, turbulence, vector_noise, vector_turbulence,
 };
 use crate::math::sine::sines;
-use crate::math::{DVec2, DVec3, fraction};
+use crate::math::{DVec2, DVec3, floor, fraction, full_turn_angle};
 use bytemuck::cast;
 use std::f64::consts::TAU;
 
@@ -91,7 +91,7 @@ pub(super) fn wood(inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
 pub(super) fn spiral(arms: f64, inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
     let r = (p.x * p.x + p.y * p.y).sqrt();
     // From -y turning toward +x.
-    let angle = if r == 0.0 { 0.0 } else { p.x.atan2(-p.y).rem_euclid(TAU) };
+    let angle = if r == 0.0 { 0.0 } else { full_turn_angle(p.x, -p.y) };
     p.z + r + arms * angle / TAU + inner.map_or(0.0, |t| t.scalar(p))
 }
 
@@ -224,10 +224,29 @@ impl<const BUMP: bool> Work for Heights<'_, BUMP> {
     }
 }
 
+/// Leopard: spots where the mean of three sines is far from 0.
+pub(super) fn leopard(p: DVec3) -> f64 {
+    let mean = dispatch(SumOfSines(p)) / 3.0;
+    mean * mean
+}
+
+/// The sum of the sines of three angles.
+struct SumOfSines(DVec3);
+
+impl Work for SumOfSines {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) -> f64 {
+        let [x, y, z, _]: [f64; 4] = cast(sines(simd, cast([self.0.x, self.0.y, self.0.z, 0.0])));
+        x + y + z
+    }
+}
+
 /// Quilted: a pillow in every unit cube. Gives the offset from the cube's centre and the height over it.
 fn pillow(control: [f64; 2], p: DVec3) -> (DVec3, f64) {
     // Rounds down, and from negative whole numbers one further, as in POV-Ray.
-    let below = |v: f64| if v >= 0.0 { v.trunc() } else { v.trunc() - 1.0 };
+    let below = |v: f64| if v >= 0.0 { floor(v) } else { -floor(-v) - 1.0 };
     let offset = p - DVec3::new(below(p.x), below(p.y), below(p.z)) - 0.5;
     let t = offset.length();
     let u = 1.0 - t;

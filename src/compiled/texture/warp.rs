@@ -5,7 +5,7 @@
 use super::crackle::random_number;
 use super::formula::cubic;
 use crate::math::noise::{Octaves, lattice_hash, vector_turbulence};
-use crate::math::{DAffine3, DMat3, DVec3, floor, modulo};
+use crate::math::{DAffine3, DMat3, DVec3, floor, full_turn_angle, modulo};
 use std::f64::consts::TAU;
 
 /// One step, ready to apply to a point.
@@ -165,7 +165,7 @@ impl BlackHole {
         let mut block = [0_i64; 3];
         for i in 0..3 {
             if repeat[i] > 0.0 {
-                block[i] = (p[i] / repeat[i]).floor() as i64;
+                block[i] = floor(p[i] / repeat[i]) as i64;
             }
         }
         if let Some(turbulence) = self.turbulence {
@@ -191,7 +191,7 @@ fn oriented(p: DVec3, o: DVec3) -> DVec3 {
 
 /// The angle of (x, z) from +x toward +z, as a part of a whole turn.
 fn turns(p: DVec3) -> f64 {
-    if p.x == 0.0 && p.z == 0.0 { 0.0 } else { p.z.atan2(p.x).rem_euclid(TAU) / TAU }
+    if p.x == 0.0 && p.z == 0.0 { 0.0 } else { full_turn_angle(p.z, p.x) / TAU }
 }
 
 fn around(shape: Around, dist_exp: f64, p: DVec3) -> DVec3 {
