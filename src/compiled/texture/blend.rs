@@ -93,7 +93,9 @@ impl<T> Blend<T> {
         if j == 0 || values[j] == value {
             return Pick::One(&items[j]);
         }
-        let share = (value - values[j - 1]) / (values[j] - values[j - 1]);
+        let (above, width) = (value - values[j - 1], values[j] - values[j - 1]);
+        // Many maps have one stretch from 0 to 1, and a division takes longer than the rest of this.
+        let share = if width == 1.0 { above } else { above / width };
         Pick::Two(&items[j - 1], &items[j], share as f32)
     }
 }

@@ -113,7 +113,11 @@ impl Warp {
         match self {
             Self::Scaling { factor, offset } => *factor * p + *offset,
             Self::Affine(pattern_from_outer) => pattern_from_outer.transform_point3(p),
-            bent => bent.bend(p),
+            bent => {
+                // Coordinate by coordinate, so that no point of the others goes through memory.
+                let DVec3 { x, y, z } = bent.bend(p);
+                DVec3::new(x, y, z)
+            }
         }
     }
 
