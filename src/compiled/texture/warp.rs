@@ -113,11 +113,7 @@ impl Warp {
         match self {
             Self::Scaling { factor, offset } => *factor * p + *offset,
             Self::Affine(pattern_from_outer) => pattern_from_outer.transform_point3(p),
-            bent => {
-                // Coordinate by coordinate, so that no point of the others goes through memory.
-                let DVec3 { x, y, z } = bent.bend(p);
-                DVec3::new(x, y, z)
-            }
+            bent => bent.bend(p),
         }
     }
 
