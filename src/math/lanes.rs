@@ -70,7 +70,8 @@ pub(crate) trait Work {
     /// What comes of it.
     type Output;
 
-    /// Does it; should be inlined always, as everything that it calls.
+    /// Does it; to be inlined always, as everything that it calls: closures and iterators would not be compiled for the
+    /// processor at hand.
     fn run<S: Lanes>(self, simd: S) -> Self::Output;
 }
 

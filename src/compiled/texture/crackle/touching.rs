@@ -6,9 +6,10 @@
 
 use super::{NEIGHBOURS, Nearest, RANDOM, TOUCHING};
 use crate::math::DVec3;
+use crate::math::lanes::{Lanes, Work, dispatch};
 use crate::math::noise::lattice_hash;
 use bytemuck::{cast, cast_ref};
-use pulp::{Scalar256b, Simd, f64x4};
+use pulp::f64x4;
 use std::cell::RefCell;
 
 /// Lanes for all points and one place that stays empty.
@@ -37,7 +38,7 @@ pub(super) enum Share {
 
 impl Share {
     #[inline(always)]
-    fn of<S: Simd<f64s = f64x4>>(self, simd: S, d: f64x4) -> f64x4 {
+    fn of<S: Lanes>(self, simd: S, d: f64x4) -> f64x4 {
         match self {
             Self::Absolute => simd.abs_f64s(d),
             Self::Square => simd.mul_f64s(d, d),
@@ -58,7 +59,7 @@ pub(super) fn nearest(p: DVec3, corner: DVec3, share: Share) -> Nearest {
         if around.corner != corner {
             *around = Touching::new(corner);
         }
-        around.nearest(p, share)
+        dispatch(Search { around, p, share })
     })
 }
 
@@ -75,24 +76,23 @@ impl Touching {
         }
         Self { corner, coordinates: coordinates.map(cast) }
     }
+}
 
-    #[inline]
-    fn nearest(&self, p: DVec3, share: Share) -> Nearest {
-        #[cfg(target_arch = "x86_64")]
-        if let Some(simd) = pulp::x86::V3::try_new() {
-            return simd.vectorize(
-                #[inline(always)]
-                || self.nearest_by(simd, p, share),
-            );
-        }
-        self.nearest_by(Scalar256b, p, share)
-    }
+/// A search among the points around a cube.
+struct Search<'t> {
+    around: &'t Touching,
+    p: DVec3,
+    share: Share,
+}
+
+impl Work for Search<'_> {
+    type Output = Nearest;
 
     #[inline(always)]
-    fn nearest_by<S: Simd<f64s = f64x4>>(&self, simd: S, p: DVec3, share: Share) -> Nearest {
-        // Without closures, which would not inherit the processor's features.
+    fn run<S: Lanes>(self, simd: S) -> Nearest {
+        let Self { around, p, share } = self;
         let (px, py, pz) = (simd.splat_f64s(p.x), simd.splat_f64s(p.y), simd.splat_f64s(p.z));
-        let [xs, ys, zs] = &self.coordinates;
+        let [xs, ys, zs] = &around.coordinates;
         let mut all = [simd.splat_f64s(0.0); GROUPS];
         let mut smallest = [simd.splat_f64s(f64::INFINITY); 3];
         for (i, powers) in all.iter_mut().enumerate() {
