@@ -38,8 +38,8 @@ impl Lanes for pulp::x86::V3 {
 
     #[inline(always)]
     fn columns(self, [a, b, c, d]: [&[f64; 4]; 4]) -> [f64x4; 4] {
-        let [even, odd] = [self.halves::<0>(a, c), self.halves::<0>(b, d)];
-        let [even_2, odd_2] = [self.halves::<2>(a, c), self.halves::<2>(b, d)];
+        let [even, odd] = [halves::<0>(self, a, c), halves::<0>(self, b, d)];
+        let [even_2, odd_2] = [halves::<2>(self, a, c), halves::<2>(self, b, d)];
         [
             cast(self.avx._mm256_unpacklo_pd(even, odd)),
             cast(self.avx._mm256_unpackhi_pd(even, odd)),
@@ -49,20 +49,12 @@ impl Lanes for pulp::x86::V3 {
     }
 }
 
-/// Pieces of rows.
+/// Entries `I` and `I + 1` of two rows.
 #[cfg(target_arch = "x86_64")]
-trait Halves {
-    /// Entries `I` and `I + 1` of two rows.
-    fn halves<const I: usize>(self, low: &[f64; 4], high: &[f64; 4]) -> std::arch::x86_64::__m256d;
-}
-
-#[cfg(target_arch = "x86_64")]
-impl Halves for pulp::x86::V3 {
-    #[inline(always)]
-    fn halves<const I: usize>(self, low: &[f64; 4], high: &[f64; 4]) -> std::arch::x86_64::__m256d {
-        let low = self.avx._mm256_castpd128_pd256(cast([low[I], low[I + 1]]));
-        self.avx._mm256_insertf128_pd::<1>(low, cast([high[I], high[I + 1]]))
-    }
+#[inline(always)]
+fn halves<const I: usize>(simd: pulp::x86::V3, low: &[f64; 4], high: &[f64; 4]) -> std::arch::x86_64::__m256d {
+    let low = simd.avx._mm256_castpd128_pd256(cast([low[I], low[I + 1]]));
+    simd.avx._mm256_insertf128_pd::<1>(low, cast([high[I], high[I + 1]]))
 }
 
 /// Work on lanes, whatever they are.

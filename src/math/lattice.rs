@@ -267,7 +267,7 @@ mod tests {
     /// The noise as section 5.2 writes it down, component by component.
     fn plain(point: DVec3) -> DVec3 {
         let point = point.to_array();
-        let n = point.map(|c| if c >= 0.0 { c.trunc() } else { (c - (1.0 - 1e-10)).trunc() });
+        let n = point.map(|c| if c >= 0.0 { c.trunc() } else { (c - POV_ALMOST_ONE).trunc() });
         let [fx, fy, fz] = [point[0] - n[0], point[1] - n[1], point[2] - n[2]];
         let share = |f: f64, side: usize| {
             let upper = f * f * (3.0 - 2.0 * f);

@@ -210,7 +210,7 @@ pub fn turbulence(generator: NoiseGenerator, octaves: Octaves, p: DVec3) -> f64 
 }
 
 /// The most noises that are summed up at a point.
-pub const MAX_OCTAVES: usize = 10;
+pub(super) const MAX_OCTAVES: usize = 10;
 
 /// Noises at `p` times `first`, `first * factor` and so on.
 pub fn noises<const COUNT: usize>(generator: NoiseGenerator, p: DVec3, first: f64, factor: f64) -> [f64; COUNT] {

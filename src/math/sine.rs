@@ -29,7 +29,7 @@ const SERIES: [f64; 11] = {
     series
 };
 
-/// The sines of angles, with errors below 4e-16.
+/// The sines of angles, with errors below 4e-16: about four roundings of numbers up to 1, found by trial.
 #[inline(always)]
 pub(crate) fn sines<S: Lanes>(simd: S, angles: f64x4) -> f64x4 {
     if simd.reduce_max_f64s(simd.abs_f64s(angles)) > LIMIT {
@@ -65,6 +65,9 @@ mod tests {
     use bytemuck::cast;
     use pulp::Scalar256b;
 
+    /// As the sines promise.
+    const ERROR: f64 = 4e-16;
+
     struct Sines([f64; 4]);
 
     impl Work for Sines {
@@ -84,7 +87,7 @@ mod tests {
             let found = dispatch(Sines(angles));
             assert_eq!(found, Sines(angles).run(Scalar256b), "{angles:?}");
             for (angle, sine) in angles.into_iter().zip(found) {
-                assert!((sine - angle.sin()).abs() < 4e-16, "{sine} instead of {} at {angle}", angle.sin());
+                assert!((sine - angle.sin()).abs() < ERROR, "{sine} instead of {} at {angle}", angle.sin());
             }
         }
     }

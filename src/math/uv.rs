@@ -30,8 +30,9 @@ impl Uv {
 
 /// Longitude from +x towards +z and latitude from -y to +y of a unit vector, each over 0 ..= 1.
 pub fn spherical_uv(n: DVec3) -> DVec2 {
-    // POV-Ray's threshold for a pole.
-    let u = if n.x * n.x + n.z * n.z <= 1e-10 { 0.0 } else { full_turn_angle(n.z, n.x) / TAU };
+    /// POV-Ray's threshold for a pole: the squared distance from the axis.
+    const POV_POLE: f64 = 1e-10;
+    let u = if n.x * n.x + n.z * n.z <= POV_POLE { 0.0 } else { full_turn_angle(n.z, n.x) / TAU };
     DVec2::new(u, 0.5 + n.y.clamp(-1.0, 1.0).asin() / PI)
 }
 

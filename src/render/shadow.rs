@@ -4,7 +4,7 @@
 
 use super::layers::Place;
 use super::ray::{Inside, Interiors};
-use super::tracer::{Tracer, context_at};
+use super::tracer::{Tracer, context_at, lookup};
 use crate::compiled::geometry::{Hit, RayKind, Surface};
 use crate::compiled::light::{Area, Arrival, Light, is_dark};
 use crate::compiled::texture::{Context, Frame, Pick, Texture};
@@ -141,11 +141,7 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for seen in &surface.textures {
             let texture = self.world.texture(seen.texture);
-            let texture_from_world = (!surface.uv_mapping).then(|| self.world.geometry.texture_from_world(hit, seen));
-            let point = match &texture_from_world {
-                Some(texture_from_world) => texture_from_world.point(surface.point),
-                None => context.uv_point(),
-            };
+            let (point, texture_from_world) = lookup(self.world, surface, &context, hit, seen);
             let mut frame = Frame::new(texture_from_world.as_deref());
             let caustics = texture.top_layer().and_then(|top| top.finish.caustics).unwrap_or(caustics);
             sum += seen.weight * self.transmittance(texture, point, &mut frame, &mut context, caustics);

@@ -10,9 +10,10 @@ use super::random::Random;
 use super::ray::{Inside, Interiors, Path, Radiance, Statistics};
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
-use crate::compiled::geometry::{Hit, RayKind, Scratch, Surface};
+use crate::compiled::geometry::{Hit, RayKind, Scratch, Surface, TextureRef};
 use crate::compiled::texture::{Context, Frame};
-use crate::math::{DVec3, Range, Ray};
+use crate::math::{DVec3, Range, Ray, Transform};
+use std::borrow::Cow;
 use std::rc::Rc;
 
 /// POV-Ray's distance within which a camera ray meets nothing.
@@ -157,11 +158,7 @@ impl<'w> Tracer<'w> {
             if seen.weight < world.settings.adc_bailout {
                 continue;
             }
-            let texture_from_world = (!surface.uv_mapping).then(|| world.geometry.texture_from_world(hit, seen));
-            let point = match &texture_from_world {
-                Some(texture_from_world) => texture_from_world.point(surface.point),
-                None => place.context.uv_point(),
-            };
+            let (point, texture_from_world) = lookup(world, &surface, &place.context, hit, seen);
             let mut frame = Frame::new(texture_from_world.as_deref());
             let texture = world.texture(seen.texture);
             let shaded: G = self.shade_texture(texture, point, &mut frame, &mut place, true);
@@ -175,6 +172,21 @@ impl<'w> Tracer<'w> {
 pub(super) fn context_at(surface: &Surface, direction: DVec3) -> Context {
     let normal = if surface.normal.dot(direction) > 0.0 { -surface.normal } else { surface.normal };
     Context { uv: surface.uv, normal, perturbed_normal: normal, direction, point: surface.point }
+}
+
+/// Where a texture of a hit is looked up, and the map there, unless it is looked up by surface coordinates.
+pub(super) fn lookup<'w>(
+    world: &'w World,
+    surface: &Surface,
+    context: &Context,
+    hit: &Hit,
+    seen: &TextureRef,
+) -> (DVec3, Option<Cow<'w, Transform>>) {
+    if surface.uv_mapping {
+        return (context.uv_point(), None);
+    }
+    let texture_from_world = world.geometry.texture_from_world(hit, seen);
+    (texture_from_world.point(surface.point), Some(texture_from_world))
 }
 
 /// What an image position gives through which the camera sends no ray.

@@ -100,6 +100,11 @@ mod tests {
     use super::*;
     use crate::math::{DVec3, Ray};
 
+    /// Part of a stretch by which it may be too long at either end, and the shortest, in units of the shape, of which that
+    /// is well above the slack for rounding.
+    const EXCESS: f64 = 1e-4;
+    const SHORTEST: f64 = 1e-3;
+
     /// Sends rays from near and far at a shape of about unit size: no point beside the stretch is inside, and the
     /// stretch is not much longer than it has to be.
     fn check(shape: &impl Primitive) {
@@ -121,8 +126,8 @@ mod tests {
             }
             let length = span.max - span.min;
             // From far away, rounding takes its toll.
-            if i % 9 < 4 && length * ray.direction.length() > 1e-3 && length.is_finite() {
-                let near_ends = [span.min + 1e-4 * length, span.max - 1e-4 * length];
+            if i % 9 < 4 && length * ray.direction.length() > SHORTEST && length.is_finite() {
+                let near_ends = [span.min + EXCESS * length, span.max - EXCESS * length];
                 inside += near_ends.into_iter().filter(|t| *t > 0.0 && !shape.contains(ray.at(*t))).count();
             }
         }

@@ -70,14 +70,17 @@ fn magnet(model: u8, z: DVec2, c: DVec2) -> DVec2 {
     mul(quotient, quotient)
 }
 
-/// Bound of the Mandelbrot and Julia sets.
+/// Whether a point is out of the disc that holds the Mandelbrot and Julia sets.
 fn leaves_disc(z: DVec2) -> bool {
     z.length_squared() > 4.0
 }
 
-/// Bounds of the two attractors of the magnetic models, infinity and 1.
+/// Whether a point is drawn to one of the attractors of the magnetic models, infinity and 1.
 fn is_attracted(z: DVec2) -> bool {
-    z.length_squared() > 10_000.0 || (z - DVec2::X).length_squared() < 1e-4
+    /// POV-Ray's thresholds, squared distances both.
+    const POV_FAR: f64 = 10_000.0;
+    const POV_NEAR: f64 = 1e-4;
+    z.length_squared() > POV_FAR || (z - DVec2::X).length_squared() < POV_NEAR
 }
 
 /// How an orbit ended.

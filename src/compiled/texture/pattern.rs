@@ -194,7 +194,7 @@ fn remainder(v: f64) -> f64 {
     if size >= f64::from(1 << 24) {
         return v % POV_PERIOD;
     }
-    // The quotient may be one off; no step rounds, as all numbers are multiples of 2^-52 and less than 2.
+    // The quotient may be one off; no difference rounds, as each is a multiple of 2^-52 and less than 2.
     let quotient = f64::from((size * (1.0 / POV_PERIOD)) as i32);
     let rest = size - quotient * PERIOD_PARTS[0] - quotient * PERIOD_PARTS[1];
     let rest = if rest < 0.0 { rest + POV_PERIOD } else { rest };

@@ -91,7 +91,7 @@ impl Primitive for Isosurface {
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
         let mut hits = ShapeHits::new();
         self.search(ray, range, true, &mut hits);
-        hits.into_iter().reduce(|best, hit| if hit.t <= best.t { hit } else { best })
+        super::nearest_of(hits)
     }
 
     fn contains(&self, p: DVec3) -> bool {

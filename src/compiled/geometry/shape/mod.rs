@@ -112,7 +112,7 @@ pub(crate) trait Primitive {
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
         let mut hits = ShapeHits::new();
         self.crossings(ray, range, &mut hits);
-        hits.into_iter().reduce(|best, hit| if hit.t <= best.t { hit } else { best })
+        nearest_of(hits)
     }
 
     /// The part of a range outside of which no point of the ray is inside, by [`contains`](Self::contains) with all
@@ -236,6 +236,11 @@ impl<P: Primitive> Primitive for Box<P> {
     fn is_quick(&self) -> bool {
         (**self).is_quick()
     }
+}
+
+/// The nearest of some crossings; of equal ones the last recorded.
+fn nearest_of(hits: ShapeHits) -> Option<ShapeHit> {
+    hits.into_iter().reduce(|best, hit| if hit.t <= best.t { hit } else { best })
 }
 
 /// Moves a point onto an implicit surface along its gradient, and bounds what is left.

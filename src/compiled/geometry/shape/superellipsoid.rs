@@ -246,7 +246,7 @@ impl Primitive for Superellipsoid {
         if !self.is_convex() {
             let mut hits = ShapeHits::new();
             self.crossings(ray, range, &mut hits);
-            return hits.into_iter().reduce(|best, hit| if hit.t <= best.t { hit } else { best });
+            return super::nearest_of(hits);
         }
         let chord = Chord::new(ray, range)?;
         let hit = |s: f64| Some(chord.near.t(s)).filter(|t| range.contains(*t)).map(|t| ShapeHit { t, part: 0 });
