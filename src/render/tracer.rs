@@ -175,6 +175,8 @@ pub(super) fn context_at(surface: &Surface, direction: DVec3) -> Context {
 }
 
 /// Where a texture of a hit is looked up, and the map there, unless it is looked up by surface coordinates.
+// Always inline: the map is too large to be handed back for nothing.
+#[inline(always)]
 pub(super) fn lookup<'w>(
     world: &'w World,
     surface: &Surface,
