@@ -6,12 +6,22 @@ const TO_WHOLE: f64 = ((1_u64 << 52) + (1 << 51)) as f64;
 /// The largest whole number not above `v`; infinities and NaN stay.
 #[inline]
 pub fn floor(v: f64) -> f64 {
-    if v.abs() < (1_u64 << 51) as f64 {
-        let nearest = (v + TO_WHOLE) - TO_WHOLE;
-        if nearest > v { nearest - 1.0 } else { nearest }
+    let size = v.abs();
+    // From 2^52 on every number is whole.
+    let near = if size < (1_u64 << 51) as f64 {
+        round_to_even(v)
+    } else if size < (1_u64 << 52) as f64 {
+        v as i64 as f64
     } else {
-        v.floor()
-    }
+        v
+    };
+    if near > v { near - 1.0 } else { near }
+}
+
+/// The nearest whole number, for numbers below 2^51; halves go to the even one.
+#[inline]
+pub fn round_to_even(v: f64) -> f64 {
+    (v + TO_WHOLE) - TO_WHOLE
 }
 
 /// The nearest whole number; halves go away from zero.

@@ -14,9 +14,25 @@ use super::noise_table::NOISE_TABLE;
 use bytemuck::cast;
 use pulp::f64x4;
 
-/// The noise at a point, unscaled.
-pub(super) fn noise(point: DVec3) -> f64 {
-    dispatch(Noise(point))
+/// How the sum over a cell's corners becomes a noise from 0 to 1.
+#[derive(Debug)]
+pub(super) struct Scaling {
+    /// Added to the sum.
+    pub(super) shift: f64,
+    /// Multiplies it then.
+    pub(super) factor: f64,
+}
+
+impl Scaling {
+    #[inline(always)]
+    fn noise(&self, sum: f64) -> f64 {
+        ((sum + self.shift) * self.factor).clamp(0.0, 1.0)
+    }
+}
+
+/// The noise at a point.
+pub(super) fn noise(scaling: &'static Scaling, point: DVec3) -> f64 {
+    scaling.noise(dispatch(Noise(point)))
 }
 
 /// The vector noise at a point.
@@ -27,18 +43,16 @@ pub(super) fn vector_noise(point: DVec3) -> DVec3 {
 /// A point at rising frequencies.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Series {
-    /// The point at frequency 1.
+    /// The point at the first frequency, 1.
     pub(super) point: DVec3,
-    /// The first frequency.
-    pub(super) first: f64,
     /// From one frequency to the next; products round one after the other.
     pub(super) factor: f64,
 }
 
 impl Series {
-    /// Writes the unscaled noises at as many frequencies as there is room for.
-    pub(super) fn noises(self, noises: &mut [f64]) {
-        dispatch(Noises { series: self, noises });
+    /// Writes the noises at as many frequencies as there is room for.
+    pub(super) fn noises(self, scaling: &'static Scaling, noises: &mut [f64]) {
+        dispatch(Noises { series: self, scaling, noises });
     }
 
     /// The sum of `count` vector noises, or of their absolute values. The first has weight 1, every other `ratio` times
@@ -47,11 +61,24 @@ impl Series {
         dispatch(VectorSum::<ABSOLUTE> { series: self, count, ratio })
     }
 
-    /// The cell of the point at the next frequency.
+    /// The cells of the point from the first frequency on.
     #[inline(always)]
-    fn next_cell<S: Lanes>(&mut self, simd: S) -> Cell {
-        let cell = Cell::around(simd, simd.mul_f64s(lanes(self.point), simd.splat_f64s(self.first)));
-        self.first *= self.factor;
+    fn cells(self) -> Cells {
+        Cells { series: self, frequency: 1.0 }
+    }
+}
+
+/// The cells of a series one after the other.
+struct Cells {
+    series: Series,
+    frequency: f64,
+}
+
+impl Cells {
+    #[inline(always)]
+    fn next<S: Lanes>(&mut self, simd: S) -> Cell {
+        let cell = Cell::around(simd, simd.mul_f64s(lanes(self.series.point), simd.splat_f64s(self.frequency)));
+        self.frequency *= self.series.factor;
         cell
     }
 }
@@ -63,7 +90,7 @@ impl Work for Noise {
 
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) -> f64 {
-        Cell::around(simd, lanes(self.0)).noise(simd)
+        Cell::around(simd, lanes(self.0)).sum(simd)
     }
 }
 
@@ -80,6 +107,7 @@ impl Work for VectorNoise {
 
 struct Noises<'a> {
     series: Series,
+    scaling: &'static Scaling,
     noises: &'a mut [f64],
 }
 
@@ -88,13 +116,13 @@ impl Work for Noises<'_> {
 
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) {
-        let Self { mut series, noises } = self;
+        let mut cells = self.series.cells();
         // A cell waits for its table rows while the noise of the one before is summed up: that is worth the one
         // cell too many.
-        let mut next = series.next_cell(simd);
-        for noise in noises {
-            let cell = std::mem::replace(&mut next, series.next_cell(simd));
-            *noise = cell.noise(simd);
+        let mut next = cells.next(simd);
+        for noise in self.noises {
+            let cell = std::mem::replace(&mut next, cells.next(simd));
+            *noise = self.scaling.noise(cell.sum(simd));
         }
     }
 }
@@ -110,12 +138,13 @@ impl<const ABSOLUTE: bool> Work for VectorSum<ABSOLUTE> {
 
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) -> DVec3 {
-        let Self { mut series, count, ratio } = self;
+        let Self { series, count, ratio } = self;
+        let mut cells = series.cells();
         let (mut sum, mut weight) = (simd.splat_f64s(0.0), 1.0);
         // As above.
-        let mut next = series.next_cell(simd);
+        let mut next = cells.next(simd);
         for _ in 0..count {
-            let cell = std::mem::replace(&mut next, series.next_cell(simd));
+            let cell = std::mem::replace(&mut next, cells.next(simd));
             let noise = cell.vector_noise(simd);
             let noise = if ABSOLUTE { simd.abs_f64s(noise) } else { noise };
             sum = simd.add_f64s(sum, simd.mul_f64s(simd.splat_f64s(weight), noise));
@@ -174,9 +203,9 @@ impl Cell {
         }
     }
 
-    /// The unscaled noise.
+    /// The sum over the corners.
     #[inline(always)]
-    fn noise<S: Lanes>(&self, simd: S) -> f64 {
+    fn sum<S: Lanes>(&self, simd: S) -> f64 {
         let [lower, upper] = &self.distances;
         let x = f64x4(lower[0], upper[0], lower[0], upper[0]);
         let y = f64x4(lower[1], lower[1], upper[1], upper[1]);
@@ -288,19 +317,24 @@ mod tests {
         sum.into()
     }
 
+    const SCALING: Scaling = Scaling { shift: 1.1, factor: 0.45 };
+
     /// Every noise of a series, with and without AVX2, has the bits of the plain formula.
     fn check(series: Series, count: usize) {
-        let points: Vec<_> = std::iter::successors(Some(series.first), |f| Some(f * series.factor))
+        let points: Vec<_> = std::iter::successors(Some(1.0), |f| Some(f * series.factor))
             .take(count)
             .map(|frequency| series.point * frequency)
             .collect();
         let expected: Vec<_> = points.iter().map(|p| plain(*p)).collect();
         let (mut noises, mut scalar) = (vec![0.0; count], vec![0.0; count]);
-        series.noises(&mut noises);
-        Noises { series, noises: &mut scalar }.run(Scalar256b);
+        series.noises(&SCALING, &mut noises);
+        Noises { series, scaling: &SCALING, noises: &mut scalar }.run(Scalar256b);
         for i in 0..count {
-            let all = [noise(points[i]), Noise(points[i]).run(Scalar256b), noises[i], scalar[i]];
-            assert!(all.iter().all(|n| *n == expected[i].x), "{series:?}: {all:?} for {}", expected[i].x);
+            let sums = [dispatch(Noise(points[i])), Noise(points[i]).run(Scalar256b)];
+            assert!(sums.iter().all(|n| *n == expected[i].x), "{series:?}: {sums:?} for {}", expected[i].x);
+            let scaled = ((expected[i].x + 1.1) * 0.45).clamp(0.0, 1.0);
+            let all = [noise(&SCALING, points[i]), noises[i], scalar[i]];
+            assert!(all.iter().all(|n| *n == scaled), "{series:?}: {all:?} for {scaled}");
             let vectors = [vector_noise(points[i]), VectorNoise(points[i]).run(Scalar256b)];
             assert!(vectors.iter().all(|v| *v == expected[i]), "{series:?}: {vectors:?} for {}", expected[i]);
         }
@@ -319,11 +353,11 @@ mod tests {
         for i in 0..4000 {
             let size = 10.0_f64.powi(i % 8 - 2);
             let point = size * DVec3::new(next(), next(), next());
-            check(Series { point, first: 1.0, factor: 2.0 + next() }, 1 + i as usize % MAX_OCTAVES);
+            check(Series { point, factor: 2.0 + next() }, 1 + i as usize % MAX_OCTAVES);
         }
         // Whole and nearly whole coordinates, where the cell changes.
         for c in [0.0, -0.0, 1.0, -1.0, -1e-10, -1e-11, 0.5, -4096.0, 1e5] {
-            check(Series { point: DVec3::new(c, 2.0 * c, -c), first: 4.0, factor: 2.0 }, 10);
+            check(Series { point: DVec3::new(c, 2.0 * c, -c), factor: 2.0 }, 10);
         }
     }
 }

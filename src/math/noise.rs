@@ -6,7 +6,7 @@
 //!
 //! Source: sections 5.2 to 5.5 of the function facts, measured on POV-Ray 3.7.0.10.
 
-use super::lattice::{self, Series};
+use super::lattice::{self, Scaling, Series};
 use super::{DVec3, floor};
 use std::sync::LazyLock;
 use wide::f64x2;
@@ -80,22 +80,18 @@ fn smooth(f: f64) -> f64 {
     f * f * (3.0 - 2.0 * f)
 }
 
+static ORIGINAL: Scaling = Scaling { shift: 0.5, factor: 1.0 };
+/// The two constants make the range of the raw noise fit 0..1.
+static CORRECTED: Scaling = Scaling { shift: 1.05242, factor: 0.48985582 };
+
 /// Noise at a point, in 0..=1.
+#[inline]
 pub fn noise(generator: NoiseGenerator, p: DVec3) -> f64 {
     match generator {
-        NoiseGenerator::Original => original(lattice::noise(p)),
-        NoiseGenerator::Corrected => corrected(lattice::noise(p)),
+        NoiseGenerator::Original => lattice::noise(&ORIGINAL, p),
+        NoiseGenerator::Corrected => lattice::noise(&CORRECTED, p),
         NoiseGenerator::Perlin => perlin(p),
     }
-}
-
-fn original(lattice: f64) -> f64 {
-    (lattice + 0.5).clamp(0.0, 1.0)
-}
-
-fn corrected(lattice: f64) -> f64 {
-    // The two constants make the range of the raw noise fit 0..1.
-    ((lattice + 1.05242) * 0.48985582).clamp(0.0, 1.0)
 }
 
 /// Three unclamped noises at a point, about -1 to 1: displacements.
@@ -181,21 +177,21 @@ impl Octaves {
 
 /// Sum of vector noises of rising frequency.
 pub fn vector_turbulence(octaves: Octaves, p: DVec3) -> DVec3 {
-    let series = Series { point: p, first: 1.0, factor: f64::from(octaves.lambda) };
+    let series = Series { point: p, factor: f64::from(octaves.lambda) };
     series.vector_sum::<false>(octaves.count(), f64::from(octaves.omega))
 }
 
 /// Sum of the absolute values of `count` vector noises, each with twice the frequency and half the weight of the one
 /// before.
 pub fn halving_vector_noises(p: DVec3, count: usize) -> DVec3 {
-    Series { point: p, first: 1.0, factor: 2.0 }.vector_sum::<true>(count, 0.5)
+    Series { point: p, factor: 2.0 }.vector_sum::<true>(count, 0.5)
 }
 
 /// Sum of noises of rising frequency.
 pub fn turbulence(generator: NoiseGenerator, octaves: Octaves, p: DVec3) -> f64 {
     let mut room = [0.0; MAX_OCTAVES];
     let noises = &mut room[..octaves.count()];
-    fill_noises(generator, p, 1.0, f64::from(octaves.lambda), noises);
+    fill(generator, p, f64::from(octaves.lambda), noises);
     let octave = |noise: f64| match generator {
         NoiseGenerator::Original => noise,
         _ => 2.0 * noise - 0.5,
@@ -212,25 +208,23 @@ pub fn turbulence(generator: NoiseGenerator, octaves: Octaves, p: DVec3) -> f64 
 /// The most noises that are summed up at a point.
 pub(super) const MAX_OCTAVES: usize = 10;
 
-/// Noises at `p` times `first`, `first * factor` and so on.
-pub fn noises<const COUNT: usize>(generator: NoiseGenerator, p: DVec3, first: f64, factor: f64) -> [f64; COUNT] {
+/// Noises at `p`, at `p` times `factor` and so on.
+pub fn noises<const COUNT: usize>(generator: NoiseGenerator, p: DVec3, factor: f64) -> [f64; COUNT] {
     let mut noises = [0.0; COUNT];
-    fill_noises(generator, p, first, factor, &mut noises);
+    fill(generator, p, factor, &mut noises);
     noises
 }
 
-fn fill_noises(generator: NoiseGenerator, p: DVec3, first: f64, factor: f64, noises: &mut [f64]) {
-    let scaled = match generator {
-        NoiseGenerator::Original => original,
-        NoiseGenerator::Corrected => corrected,
+fn fill(generator: NoiseGenerator, p: DVec3, factor: f64, noises: &mut [f64]) {
+    let series = Series { point: p, factor };
+    match generator {
+        NoiseGenerator::Original => series.noises(&ORIGINAL, noises),
+        NoiseGenerator::Corrected => series.noises(&CORRECTED, noises),
         NoiseGenerator::Perlin => {
-            let frequencies = std::iter::successors(Some(first), |f| Some(f * factor));
+            let frequencies = std::iter::successors(Some(1.0), |f| Some(f * factor));
             noises.iter_mut().zip(frequencies).for_each(|(noise, frequency)| *noise = perlin(p * frequency));
-            return;
         }
-    };
-    Series { point: p, first, factor }.noises(noises);
-    noises.iter_mut().for_each(|noise| *noise = scaled(*noise));
+    }
 }
 
 #[cfg(test)]

@@ -22,6 +22,7 @@ const OMNIMAX_ASPECT: f64 = 1.283_458;
 impl RawRay {
     /// The ray through continuous position (`x`, `y`), integers being pixel centres, or `None`
     /// where the projection shows nothing.
+    #[inline(always)]
     pub(super) fn through(camera: &Camera, x: f64, y: f64, width: usize, height: usize) -> Option<Self> {
         let (s, t) = ((x + 0.5) / width as f64 - 0.5, 0.5 - (y + 0.5) / height as f64);
         let (d, r, u) = (camera.direction, camera.right, camera.up);
@@ -87,6 +88,7 @@ impl RawRay {
     }
 
     /// The finished ray: unit direction, bent by the camera's normal.
+    #[inline(always)]
     pub(super) fn finish(self, camera: &Camera) -> Ray {
         let direction = self.direction.normalize_or(DVec3::Z);
         let Some(normal) = &camera.normal else { return Ray::new(self.origin, direction) };

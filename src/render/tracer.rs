@@ -85,6 +85,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Follows a ray that starts at the camera and sees no farther than `far`; its direction is a unit vector.
+    #[inline(always)]
     pub(super) fn follow<G: Gather>(&mut self, ray: Ray, far: f64) -> G {
         self.statistics.camera_rays += 1;
         let known = self.camera_interiors.is_some() && self.is_clear(ray.origin);

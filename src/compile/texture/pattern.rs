@@ -57,7 +57,7 @@ impl TextureCompiler<'_> {
             S::Bumps => PatternKind::Bumps(generator),
             // POV-Ray takes twice its border offset off the mortar.
             S::Brick { size, mortar } => {
-                PatternKind::Brick { size: *size, mortar: f64::from((f64::from(*mortar) - 2e-10) as f32) }
+                PatternKind::brick(*size, f64::from((f64::from(*mortar) - 2e-10) as f32))
             }
             S::Cells => PatternKind::Cells,
             S::Checker => PatternKind::Checker,

@@ -135,11 +135,32 @@ impl Orbit {
 impl Fractal {
     /// The value at a point.
     pub(super) fn value(&self, p: DVec3) -> f64 {
-        let Orbit { end, escape, smallest } = self.orbit(DVec2::new(p.x, p.y));
+        let p = DVec2::new(p.x, p.y);
+        if self.interior.kind == 0 && self.is_deep_inside(p) {
+            return self.interior.factor;
+        }
+        let Orbit { end, escape, smallest } = self.orbit(p);
         match escape {
             Some(k) => self.outside(end, k),
             None => self.inside(end, smallest),
         }
+    }
+
+    /// Whether a point lies in the cardioid or the largest disc of the Mandelbrot set, whose orbits are known to stay.
+    ///
+    /// Source: Douady and Hubbard, Etude dynamique des polynomes complexes, 1984.
+    fn is_deep_inside(&self, p: DVec2) -> bool {
+        /// Nearer to the rim orbits are followed: deeper inside every step shrinks errors by a millionth at least, so
+        /// that roundings of 1e-16 never add up to more than 1e-10 and lead nothing out.
+        const RIM: f64 = 1e-6;
+        if (self.set, self.exponent) != (FractalSet::Mandel, 2) {
+            return false;
+        }
+        let (x, y2) = (p.x - 0.25, p.y * p.y);
+        let q = x * x + y2;
+        let in_cardioid = q * (q + x) - 0.25 * y2 < -RIM;
+        let in_disc = (p.x + 1.0) * (p.x + 1.0) + y2 - 0.0625 < -RIM;
+        in_cardioid | in_disc
     }
 
     fn orbit(&self, p: DVec2) -> Orbit {

@@ -22,7 +22,7 @@ pub(super) fn granite(generator: NoiseGenerator, p: DVec3) -> f64 {
         NoiseGenerator::Original => (0.5 - n).abs(),
         _ => (1.0 - 2.0 * n).abs().min(0.5),
     };
-    halving(noises::<6>(generator, p, 4.0, 2.0).map(fold))
+    halving(noises::<6>(generator, 4.0 * p, 2.0).map(fold))
 }
 
 /// Wrinkles: ten octaves of noise.
@@ -31,7 +31,7 @@ pub(super) fn wrinkles(generator: NoiseGenerator, p: DVec3) -> f64 {
         NoiseGenerator::Original => n,
         _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
     };
-    0.5 * halving(noises::<10>(generator, p, 1.0, 2.0).map(fold))
+    0.5 * halving(noises::<10>(generator, p, 2.0).map(fold))
 }
 
 /// Displacement of a normal by wrinkles.
@@ -92,7 +92,7 @@ pub(super) fn spiral(arms: f64, inner: Option<&InnerTurbulence>, p: DVec3) -> f6
     let r = (p.x * p.x + p.y * p.y).sqrt();
     // From -y turning toward +x.
     let angle = if r == 0.0 { 0.0 } else { full_turn_angle(p.x, -p.y) };
-    p.z + r + arms * angle / TAU + inner.map_or(0.0, |t| t.scalar(p))
+    p.z + r + arms * (angle * (1.0 / TAU)) + inner.map_or(0.0, |t| t.scalar(p))
 }
 
 /// A spiral and rings, both folded.
@@ -226,7 +226,7 @@ impl<const BUMP: bool> Work for Heights<'_, BUMP> {
 
 /// Leopard: spots where the mean of three sines is far from 0.
 pub(super) fn leopard(p: DVec3) -> f64 {
-    let mean = dispatch(SumOfSines(p)) / 3.0;
+    let mean = dispatch(SumOfSines(p)) * (1.0 / 3.0);
     mean * mean
 }
 
@@ -246,7 +246,10 @@ impl Work for SumOfSines {
 /// Quilted: a pillow in every unit cube. Gives the offset from the cube's centre and the height over it.
 fn pillow(control: [f64; 2], p: DVec3) -> (DVec3, f64) {
     // Rounds down, and from negative whole numbers one further, as in POV-Ray.
-    let below = |v: f64| if v >= 0.0 { floor(v) } else { -floor(-v) - 1.0 };
+    let below = |v: f64| {
+        let towards_zero = floor(v.abs());
+        if v >= 0.0 { towards_zero } else { -towards_zero - 1.0 }
+    };
     let offset = p - DVec3::new(below(p.x), below(p.y), below(p.z)) - 0.5;
     let t = offset.length();
     let u = 1.0 - t;
@@ -259,7 +262,7 @@ fn pillow(control: [f64; 2], p: DVec3) -> (DVec3, f64) {
 pub(super) fn quilted(control: [f64; 2], p: DVec3) -> f64 {
     let (offset, height) = pillow(control, p);
     let size = offset.abs();
-    (height * (size.x + size.y + size.z) / 3.0).abs()
+    (height * (size.x + size.y + size.z) * (1.0 / 3.0)).abs()
 }
 
 /// Displacement of a normal by quilted.

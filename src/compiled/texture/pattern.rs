@@ -7,7 +7,7 @@ use super::{
 use crate::compiled::geometry::Geometry;
 use crate::function::Function;
 use crate::math::noise::{NoiseGenerator, Octaves};
-use crate::math::{DVec3, Uv, fraction};
+use crate::math::{DVec3, Uv, fraction, round_to_even};
 use std::sync::Arc;
 
 /// A value for each point.
@@ -55,9 +55,11 @@ pub enum PatternKind {
     Bozo(NoiseGenerator),
     /// Bozo with bumps of its own.
     Bumps(NoiseGenerator),
+    /// Made by [`PatternKind::brick`].
     Brick {
         size: DVec3,
         mortar: f64,
+        limit: DVec3,
     },
     Cells,
     Checker,
@@ -129,6 +131,13 @@ impl Context {
     }
 }
 
+impl PatternKind {
+    /// Bricks of a size that includes the mortar's width, which fills a brick up to its share of it.
+    pub fn brick(size: DVec3, mortar: f64) -> Self {
+        Self::Brick { size, mortar, limit: DVec3::splat(mortar) / size }
+    }
+}
+
 impl Pattern {
     /// The bare formula: no warps, ramp wave, frequency 1.
     pub fn of(kind: PatternKind) -> Self {
@@ -185,7 +194,7 @@ const PERIOD_PARTS: [f64; 2] = {
 };
 
 /// The remainder by the period, with the value's sign, exactly.
-#[inline]
+#[inline(always)]
 fn remainder(v: f64) -> f64 {
     let size = v.abs();
     if size < POV_PERIOD {
@@ -194,21 +203,26 @@ fn remainder(v: f64) -> f64 {
     if size >= f64::from(1 << 24) {
         return v % POV_PERIOD;
     }
-    // The quotient may be one off; no difference rounds, as each is a multiple of 2^-52 and less than 2.
-    let quotient = f64::from((size * (1.0 / POV_PERIOD)) as i32);
+    // The nearest quotient may be one too high; no difference rounds, as each is a multiple of 2^-52 and less than 2.
+    let quotient = round_to_even(size * (1.0 / POV_PERIOD));
     let rest = size - quotient * PERIOD_PARTS[0] - quotient * PERIOD_PARTS[1];
-    let rest = if rest < 0.0 { rest + POV_PERIOD } else { rest };
-    let rest = if rest >= POV_PERIOD { rest - POV_PERIOD } else { rest };
-    rest.copysign(v)
+    (if rest < 0.0 { rest + POV_PERIOD } else { rest }).copysign(v)
 }
 
 /// Frequency, phase and wave, as in section 2 of the pattern facts; the odd modulus is measured.
-#[inline]
+#[inline(always)]
 fn shape(raw: f64, frequency: f64, phase: f64, wave: Wave) -> f64 {
-    let mut v = if frequency == 0.0 { raw } else { remainder(raw * frequency + phase) };
-    if v < 0.0 {
-        v = fraction(v);
+    let v = if frequency == 0.0 { raw } else { raw * frequency + phase };
+    // Most values need no more.
+    if wave == Wave::Ramp && (0.0..POV_PERIOD).contains(&v) {
+        return v;
     }
+    waved(if frequency == 0.0 { v } else { remainder(v) }, wave)
+}
+
+#[inline(never)]
+fn waved(v: f64, wave: Wave) -> f64 {
+    let v = if v < 0.0 { fraction(v) } else { v };
     match wave {
         Wave::Ramp => v,
         Wave::Triangle => 1.0 - (2.0 * fraction(v) - 1.0).abs(),
@@ -263,7 +277,7 @@ mod tests {
         let gradient = DVec3::new(1.0, 2.0, 3.0).normalize();
         check(&Pattern::of(PatternKind::Gradient(gradient)), [0.4922036404, 0.3006688972, 0.0343972373]);
         let mortar = f64::from((0.5 - 2e-10) as f32);
-        let brick = PatternKind::Brick { size: DVec3::new(8.0, 3.0, 4.5), mortar };
+        let brick = PatternKind::brick(DVec3::new(8.0, 3.0, 4.5), mortar);
         check(&Pattern { frequency: 0.0, ..Pattern::of(brick) }, [1.0, 0.0, 1.0]);
     }
 }
