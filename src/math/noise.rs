@@ -176,6 +176,7 @@ impl Octaves {
 }
 
 /// Sum of vector noises of rising frequency.
+#[inline(always)]
 pub fn vector_turbulence(octaves: Octaves, p: DVec3) -> DVec3 {
     let series = Series { point: p, factor: f64::from(octaves.lambda) };
     series.vector_sum::<false>(octaves.count(), f64::from(octaves.omega))

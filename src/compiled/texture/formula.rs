@@ -22,46 +22,50 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
         PatternKind::Onion => fraction(p.length()),
         PatternKind::Planar => falling(p.y.abs()),
         PatternKind::Spherical => falling(p.length()),
-        _ => elaborate(pattern, p, context),
+        _ => elaborate(pattern, p.x, p.y, p.z, context),
     }
 }
 
-/// The raw value of a formula that is worth a call.
+/// The raw value of a formula that is worth a call, at (x, y, z): a point would go through memory, where it is
+/// written number by number and read in pairs, for which the processor waits. Formulas that are short are inlined for
+/// the same reason.
 #[inline(never)]
-fn elaborate(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
+fn elaborate(pattern: &Pattern, x: f64, y: f64, z: f64, context: &Context) -> f64 {
+    // One for each formula: so none of them goes through memory for the sake of another.
+    let p = || DVec3::new(x, y, z);
     match &pattern.kind {
-        PatternKind::Agate { generator, octaves, amount } => noise_formula::agate(*generator, *octaves, *amount, p),
+        PatternKind::Agate { generator, octaves, amount } => noise_formula::agate(*generator, *octaves, *amount, p()),
         PatternKind::Aoi => angle_of_incidence(context),
-        PatternKind::Brick { size, mortar, limit } => brick(p, *size, *mortar, *limit),
-        PatternKind::Cells => crackle::cells(p),
-        PatternKind::Crackle(crackle) => crackle.value(p),
-        PatternKind::Cubic => cubic(p),
-        PatternKind::Cylindrical => falling(p.x.hypot(p.z)),
-        PatternKind::Density(file) => file.value(p),
-        PatternKind::Dents(generator) => noise(*generator, p).powi(3),
-        PatternKind::Fractal(fractal) => fractal.value(p),
-        PatternKind::Function(f) => wrapped(f.at(p)),
-        PatternKind::Granite(generator) => noise_formula::granite(*generator, p),
-        PatternKind::Hexagon => hexagon(p.x, p.z),
-        PatternKind::Image(image, mapping) => image.pattern_value(mapping, p),
-        PatternKind::Leopard => noise_formula::leopard(p),
-        PatternKind::Marble(inner) => noise_formula::marble(inner.as_deref(), p),
-        PatternKind::Material(image, mapping, n) => image.material_index(mapping, p, *n) as f64,
-        PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p))),
-        PatternKind::Pavement(pavement) => pavement.value(p),
-        PatternKind::Pigment(pigment) => gray_at(pigment, p, context),
-        PatternKind::Quilted(control) => noise_formula::quilted(*control, p),
-        PatternKind::Radial => radial(p),
-        PatternKind::Ripples(sources) => sources.ripples(pattern.frequency, pattern.phase, p),
-        PatternKind::Slope(slope) => slope.value(p, context),
-        PatternKind::Spiral1(arms, inner) => noise_formula::spiral(*arms, inner.as_deref(), p),
-        PatternKind::Spiral2(arms, inner) => noise_formula::double_spiral(*arms, inner.as_deref(), p),
-        PatternKind::Square => square(p),
-        PatternKind::Tiling(tiling) => tiling.value(p),
-        PatternKind::Triangular => triangular(p.x, p.z),
-        PatternKind::Waves(sources) => sources.waves(pattern.frequency, pattern.phase, p),
-        PatternKind::Wood(inner) => noise_formula::wood(inner.as_deref(), p),
-        PatternKind::Wrinkles(generator) => noise_formula::wrinkles(*generator, p),
+        PatternKind::Brick { size, mortar, limit } => brick(p(), *size, *mortar, *limit),
+        PatternKind::Cells => crackle::cells(p()),
+        PatternKind::Crackle(crackle) => crackle.value(p()),
+        PatternKind::Cubic => cubic(p()),
+        PatternKind::Cylindrical => falling(x.hypot(z)),
+        PatternKind::Density(file) => file.value(p()),
+        PatternKind::Dents(generator) => noise(*generator, p()).powi(3),
+        PatternKind::Fractal(fractal) => fractal.value(x, y),
+        PatternKind::Function(f) => wrapped(f.at(p())),
+        PatternKind::Granite(generator) => noise_formula::granite(*generator, p()),
+        PatternKind::Hexagon => hexagon(x, z),
+        PatternKind::Image(image, mapping) => image.pattern_value(mapping, p()),
+        PatternKind::Leopard => noise_formula::leopard(p()),
+        PatternKind::Marble(inner) => noise_formula::marble(inner.as_deref(), p()),
+        PatternKind::Material(image, mapping, n) => image.material_index(mapping, p(), *n) as f64,
+        PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p()))),
+        PatternKind::Pavement(pavement) => pavement.value(p()),
+        PatternKind::Pigment(pigment) => gray_at(pigment, p(), context),
+        PatternKind::Quilted(control) => noise_formula::quilted(*control, p()),
+        PatternKind::Radial => radial(p()),
+        PatternKind::Ripples(sources) => sources.ripples(pattern.frequency, pattern.phase, p()),
+        PatternKind::Slope(slope) => slope.value(p(), context),
+        PatternKind::Spiral1(arms, inner) => noise_formula::spiral(*arms, inner.as_deref(), p()),
+        PatternKind::Spiral2(arms, inner) => noise_formula::double_spiral(*arms, inner.as_deref(), p()),
+        PatternKind::Square => square(p()),
+        PatternKind::Tiling(tiling) => tiling.value(p()),
+        PatternKind::Triangular => triangular(x, z),
+        PatternKind::Waves(sources) => sources.waves(pattern.frequency, pattern.phase, p()),
+        PatternKind::Wood(inner) => noise_formula::wood(inner.as_deref(), p()),
+        PatternKind::Wrinkles(generator) => noise_formula::wrinkles(*generator, p()),
         PatternKind::None
         | PatternKind::Boxed
         | PatternKind::Bozo(_)
@@ -70,7 +74,7 @@ fn elaborate(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
         | PatternKind::Gradient(_)
         | PatternKind::Onion
         | PatternKind::Planar
-        | PatternKind::Spherical => value(pattern, p, context),
+        | PatternKind::Spherical => value(pattern, p(), context),
     }
 }
 

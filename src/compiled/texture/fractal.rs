@@ -2,7 +2,7 @@
 //!
 //! Source: section 7 of the pattern facts (measured).
 
-use crate::math::{DVec2, DVec3};
+use crate::math::DVec2;
 
 /// Which set.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,9 +133,9 @@ impl Orbit {
 }
 
 impl Fractal {
-    /// The value at a point.
-    pub(super) fn value(&self, p: DVec3) -> f64 {
-        let p = DVec2::new(p.x, p.y);
+    /// The value at (x, y) of every plane.
+    pub(super) fn value(&self, x: f64, y: f64) -> f64 {
+        let p = DVec2::new(x, y);
         if self.interior.kind == 0 && self.is_deep_inside(p) {
             return self.interior.factor;
         }

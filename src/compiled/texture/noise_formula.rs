@@ -69,12 +69,14 @@ pub struct InnerTurbulence {
 }
 
 impl InnerTurbulence {
+    #[inline(always)]
     fn scalar(&self, p: DVec3) -> f64 {
         self.amount.x * turbulence(self.generator, self.octaves, p)
     }
 }
 
 /// Marble: x, shifted.
+#[inline(always)]
 pub(super) fn marble(inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
     p.x + inner.map_or(0.0, |t| t.scalar(p))
 }
@@ -244,6 +246,7 @@ impl Work for SumOfSines {
 }
 
 /// Quilted: a pillow in every unit cube. Gives the offset from the cube's centre and the height over it.
+#[inline(always)]
 fn pillow(control: [f64; 2], p: DVec3) -> (DVec3, f64) {
     // Rounds down, and from negative whole numbers one further, as in POV-Ray.
     let below = |v: f64| {
@@ -254,11 +257,12 @@ fn pillow(control: [f64; 2], p: DVec3) -> (DVec3, f64) {
     let t = offset.length();
     let u = 1.0 - t;
     // 2 / sqrt(3): the height is 1 at a corner of the cube.
-    let height = 1.154_700_538 * (t * t * t + 3.0 * t * u * u * control[0] + 3.0 * t * t * u * control[1]);
+    let height = 1.154_700_538 * t * (t * t + 3.0 * u * (u * control[0] + t * control[1]));
     (offset, height)
 }
 
 /// The value of quilted.
+#[inline(always)]
 pub(super) fn quilted(control: [f64; 2], p: DVec3) -> f64 {
     let (offset, height) = pillow(control, p);
     let size = offset.abs();
