@@ -234,7 +234,7 @@ impl Search<'_> {
             // The piece on its right may look the same, but is not another.
             if piece.low > self.contact_end && (changes > 0 || !atom) {
                 self.roots.push(middle);
-                self.roots.extend((changes % 2 == 0).then_some(middle));
+                self.roots.extend(changes.is_multiple_of(2).then_some(middle));
             }
             self.contact_end = piece.high;
             return None;

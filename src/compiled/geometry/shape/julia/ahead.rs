@@ -79,8 +79,8 @@ impl Work for FollowQuaternions<'_> {
         let (two, three) = (simd.splat_f64s(2.0), simd.splat_f64s(3.0));
         let (escape, parameter) = (simd.splat_f64s(julia.escape()), julia.parameter.to_array());
         let mut points = [[two; 4]; VECTORS];
-        for vector in 0..VECTORS {
-            points[vector] = self.0.of(simd, vector);
+        for (vector, start) in points.iter_mut().enumerate() {
+            *start = self.0.of(simd, vector);
         }
         let mut escaped = [simd.greater_than_f64s(two, three); VECTORS];
         for _ in 0..julia.n_iterations {
@@ -137,9 +137,9 @@ impl<const STEPS: bool> Work for FollowPairs<'_, STEPS> {
         let escape = simd.splat_f64s(julia.escape());
         // Coordinates as in `Pair`.
         let mut points = [[one; 4]; VECTORS];
-        for vector in 0..VECTORS {
+        for (vector, start) in points.iter_mut().enumerate() {
             let [x, y, z, w] = starts.of(simd, vector);
-            points[vector] = [simd.sub_f64s(x, w), simd.add_f64s(x, w), simd.add_f64s(y, z), simd.sub_f64s(y, z)];
+            *start = [simd.sub_f64s(x, w), simd.add_f64s(x, w), simd.add_f64s(y, z), simd.sub_f64s(y, z)];
         }
         let mut products = points;
         let mut squares = [one; VECTORS];
@@ -191,8 +191,8 @@ impl<const STEPS: bool> Work for FollowPairs<'_, STEPS> {
             if STEPS {
                 let product = coordinates(simd, products[vector]);
                 let mut last = coordinates(simd, points[vector]);
-                for axis in 0..4 {
-                    last[axis] = simd.mul_f64s(last[axis], scales[vector]);
+                for coordinate in &mut last {
+                    *coordinate = simd.mul_f64s(*coordinate, scales[vector]);
                 }
                 steps[vector] = step(simd, julia, squares[vector], [product, last], starts.ray);
             }

@@ -91,7 +91,9 @@ impl Stretch<'_> {
                 let u = meeting(ends, length);
                 let lower = below(larger.0, length, u);
                 let upper = above(smaller.0, length, u);
-                !(lower - upper >= -NOISE)
+                // What is not a number proves nothing.
+                let excluded = lower - upper >= -NOISE;
+                !excluded
             }
         };
         reaches_zero(larger) || reaches_zero(smaller)
