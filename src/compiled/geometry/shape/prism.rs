@@ -5,7 +5,10 @@ use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::parts::{Tree, WORTH_A_TREE};
 use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
+use passage::{Band, Boxes, Passage};
 use std::sync::Arc;
+
+mod passage;
 
 /// Closed curves that belong together: what an odd number of them surrounds is inside.
 #[derive(Clone, Debug)]
@@ -13,6 +16,8 @@ pub(crate) struct Outline {
     pub(crate) segments: Box<[Segment]>,
     /// Lower and upper corner of a box around each segment.
     hulls: Box<[[DVec2; 2]]>,
+    /// The same for lanes.
+    boxes: Boxes,
     min: DVec2,
     max: DVec2,
     /// Around the outline swept by its prism.
@@ -25,7 +30,7 @@ impl Outline {
     pub(crate) fn new(segments: Vec<Segment>) -> Self {
         let hulls: Box<_> = segments.iter().map(Segment::bounds).collect();
         let [min, max] = around(&hulls);
-        Self { segments: segments.into(), hulls, min, max, swept: Bounds::EMPTY, first: 0 }
+        Self { segments: segments.into(), boxes: Boxes::new(&hulls), hulls, min, max, swept: Bounds::EMPTY, first: 0 }
     }
 
     fn contains(&self, p: DVec2) -> bool {
@@ -58,52 +63,6 @@ const AT_APEX: f64 = 1e-10;
 struct Shadow {
     normal: DVec2,
     constant: f64,
-}
-
-/// The points whose product with a direction lies in an interval.
-struct Band {
-    direction: DVec2,
-    low: f64,
-    high: f64,
-    /// Which corners of a box have the smallest product, by axis.
-    first: [usize; 2],
-}
-
-impl Band {
-    /// Wider than the interval by some slack.
-    fn new(direction: DVec2, [low, high]: [f64; 2], slack: f64) -> Self {
-        let first = [usize::from(direction.x < 0.0), usize::from(direction.y < 0.0)];
-        Self { direction, low: low - slack, high: high + slack, first }
-    }
-
-    /// Whether a box may hold some.
-    #[inline]
-    fn meets(&self, hull: &[DVec2; 2]) -> bool {
-        let ([x, y], direction) = (self.first, self.direction);
-        let least = direction.x * hull[x].x + direction.y * hull[y].y;
-        let most = direction.x * hull[1 - x].x + direction.y * hull[1 - y].y;
-        // Both comparisons in any case: which of them decides cannot be foretold.
-        (least <= self.high) & (most >= self.low)
-    }
-}
-
-/// Where the shadow of a ray on the plane of an outline passes over it; errs on the side of more.
-struct Passage {
-    /// On the shadow's line.
-    across: Band,
-    /// Between the shadow's ends.
-    along: Band,
-    /// In the box around it.
-    hull: [DVec2; 2],
-}
-
-impl Passage {
-    #[inline]
-    fn meets(&self, [min, max]: &[DVec2; 2]) -> bool {
-        let [low, high] = &self.hull;
-        let beside = (max.x < low.x) | (max.y < low.y) | (min.x > high.x) | (min.y > high.y);
-        !beside & self.across.meets(&[*min, *max]) & self.along.meets(&[*min, *max])
-    }
 }
 
 const LOW_CAP: u32 = u32::MAX - 1;
@@ -207,18 +166,16 @@ impl Prism {
         let Some(passage) = self.passage(outline, slabs, shadow, range) else { return };
         // A ray along the axis meets caps alone.
         let no_sides = self.caps_only || shadow.normal == DVec2::ZERO;
-        let sides = if no_sides { &[][..] } else { &outline.segments[..] };
-        for ((segment, part), hull) in sides.iter().zip(outline.first..).zip(&outline.hulls) {
-            if !passage.meets(hull) {
-                continue;
-            }
+        let sides = if no_sides { 0 } else { outline.segments.len() };
+        outline.boxes.met_by(&passage, sides, |i| {
+            let (segment, part) = (&outline.segments[i], outline.first + i as u32);
             self.sides(segment, ray, shadow, |t, _| {
                 let y = ray.origin.y + t * ray.direction.y;
                 if range.contains(t) && self.low <= y && y <= self.high {
                     out.push(ShapeHit { t, part });
                 }
             });
-        }
+        });
         if self.open || ray.direction.y == 0.0 {
             return;
         }
