@@ -32,14 +32,12 @@ impl Chord {
     fn new(ray: &Ray, range: Range) -> Option<Self> {
         let near = NearRay::new(ray, DVec3::ZERO, 4.0);
         let (o, d) = (near.origin, near.direction);
-        let reach = near.range(range);
-        let (mut low, mut high) = (reach.min, reach.max);
+        let mut reach = near.range(range);
         for axis in 0..3 {
             // A little larger than the shape, so that roots on its flat faces are enclosed.
-            let (a, b) = ((-1.001 - o[axis]) / d[axis], (1.001 - o[axis]) / d[axis]);
-            low = low.max(a.min(b));
-            high = high.min(a.max(b));
+            reach = reach.between([-1.001, 1.001], o[axis], d[axis]);
         }
+        let Range { min: low, max: high } = reach;
         (low < high && (high - low).is_finite()).then_some(Self { near, low, high })
     }
 
