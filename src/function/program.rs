@@ -224,6 +224,8 @@ impl Program {
     /// As [`eval`](Self::eval), with working memory to use again for the next call.
     pub fn eval_in(&self, arguments: &[f64], slots: &mut Slots) -> f64 {
         slots.resize(self.ops.len(), 0.0);
+        // Once for all, where the memory is.
+        let slots = &mut slots[..];
         for (i, op) in self.ops.iter().enumerate() {
             let value = match op {
                 Op::Constant(c) => *c,
@@ -242,7 +244,9 @@ impl Program {
                     slots[*chosen as usize]
                 }
                 Op::Call { callee, arguments, component } => {
-                    let values: SmallVec<[f64; 8]> = arguments.iter().map(|a| slots[*a as usize]).collect();
+                    let mut values = SmallVec::<[f64; 8]>::new();
+                    // Growing for each saves asking for room that there is.
+                    arguments.iter().for_each(|a| values.push(slots[*a as usize]));
                     callee.call(&values)[usize::from(*component)]
                 }
                 Op::Fold { product, from, to, body, arguments } => {

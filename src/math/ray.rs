@@ -47,6 +47,15 @@ impl Range {
         self.min > self.max
     }
 
+    /// The part in which `start + t * speed` is not below `low` and not above `high`.
+    pub fn between(&self, [low, high]: [f64; 2], start: f64, speed: f64) -> Self {
+        if speed == 0.0 {
+            return if start < low || start > high { Self::EMPTY } else { *self };
+        }
+        let (a, b) = ((low - start) / speed, (high - start) / speed);
+        Self { min: self.min.max(a.min(b)), max: self.max.min(a.max(b)) }
+    }
+
     /// Whether `t` lies strictly inside; false for NaN.
     pub fn contains(&self, t: f64) -> bool {
         self.min < t && t < self.max

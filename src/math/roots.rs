@@ -90,8 +90,11 @@ impl<const N: usize> Piece<N> {
     /// How often the coefficients change sign: as many roots inside, or fewer by an even number.
     #[inline(always)]
     fn sign_changes(&self, n: usize) -> u32 {
-        let bits = |is: fn(f64) -> bool| (0..=n).fold(0_u64, |bits, i| bits | u64::from(is(self.b[i])) << i);
-        let (negative, zero) = (bits(|b| b < 0.0), bits(|b| b == 0.0));
+        let (mut negative, mut zero) = (0_u64, 0_u64);
+        for (i, b) in self.b[..n + 1].iter().enumerate() {
+            negative |= u64::from(*b < 0.0) << i;
+            zero |= u64::from(*b == 0.0) << i;
+        }
         if zero == 0 {
             return ((negative ^ (negative >> 1)) & ((1 << n) - 1)).count_ones();
         }
@@ -101,13 +104,21 @@ impl<const N: usize> Piece<N> {
             .0
     }
 
+    /// A bound of the second derivative: that of a polynomial whose Bernstein coefficients are second differences.
+    #[inline(always)]
+    fn curvature(&self, n: usize) -> f64 {
+        let width = self.high - self.low;
+        let bend = |i: usize| (self.b[i] - 2.0 * self.b[i + 1] + self.b[i + 2]).abs();
+        (0..n - 1).map(bend).fold(0.0, f64::max) * (n * (n - 1)) as f64 / (width * width)
+    }
+
     /// Halves the interval. Source: de Casteljau's algorithm.
     #[inline(always)]
     fn split(&self, n: usize) -> (Self, Self) {
         let middle = 0.5 * self.low + 0.5 * self.high;
         let mut left = Self { high: middle, ..*self };
         let mut right = Self { low: middle, ..*self };
-        for i in 0..=n {
+        for i in 0..n + 1 {
             left.b[i] = right.b[0];
             for j in 0..n - i {
                 right.b[j] = 0.5 * (right.b[j] + right.b[j + 1]);
@@ -127,72 +138,122 @@ pub fn roots_in(coefficients: &[f64], low: f64, high: f64) -> Roots {
         Some(n) if n <= MAX_DEGREE && low <= high && (high - low).is_finite() => n,
         _ => return roots,
     };
+    let mut keep = |t: f64| {
+        if low <= t && t <= high {
+            roots.push(t);
+        }
+    };
     match n {
         0 => {}
-        1 => roots.push(-coefficients[0] / coefficients[1]),
-        2 => roots.extend(quadratic_roots(coefficients[2], coefficients[1], coefficients[0]).into_iter().flatten()),
+        1 => keep(-coefficients[0] / coefficients[1]),
+        2 => {
+            if let Some([a, b]) = quadratic_roots(coefficients[2], coefficients[1], coefficients[0]) {
+                keep(a);
+                keep(b);
+            }
+        }
         // The degrees of most shapes, for each of which there is a program of its own.
-        3 => isolate::<4>(coefficients, 3, low, high, &mut roots),
-        4 => isolate::<5>(coefficients, 4, low, high, &mut roots),
-        5 => isolate::<6>(coefficients, 5, low, high, &mut roots),
-        6 => isolate::<7>(coefficients, 6, low, high, &mut roots),
-        _ => isolate::<{ MAX_DEGREE + 1 }>(coefficients, n, low, high, &mut roots),
+        3 => isolate::<4>(coefficients, low, high, &mut roots),
+        4 => isolate::<5>(coefficients, low, high, &mut roots),
+        5 => isolate::<6>(coefficients, low, high, &mut roots),
+        6 => isolate::<7>(coefficients, low, high, &mut roots),
+        _ => isolate::<{ MAX_DEGREE + 1 }>(&coefficients[..n + 1], low, high, &mut roots),
     }
-    roots.retain(|t| low <= *t && *t <= high);
     roots
 }
 
-/// Subdivides until each piece holds no root or one. The degree `n` is less than `N`.
-// Always inline, so that the degree is a constant.
+/// The degree of a polynomial for which there is room for `N` coefficients: a constant but for the largest room, which
+/// holds all higher degrees.
 #[inline(always)]
-fn isolate<const N: usize>(coefficients: &[f64], n: usize, low: f64, high: f64, roots: &mut Roots) {
-    let coefficients = &coefficients[..=n];
+fn degree<const N: usize>(coefficients: &[f64]) -> usize {
+    if N <= MAX_DEGREE { N - 1 } else { coefficients.len() - 1 }
+}
+
+/// Finds the roots of a polynomial.
+#[inline(never)]
+fn isolate<const N: usize>(coefficients: &[f64], low: f64, high: f64, roots: &mut Roots) {
+    let n = degree::<N>(coefficients);
+    let coefficients = &coefficients[..n + 1];
     let whole = Piece::<N> { b: bernstein(coefficients, n, low, high), low, high };
-    let scale = whole.b[..=n].iter().fold(0.0, |m: f64, b| m.max(b.abs()));
+    let scale = whole.b[..n + 1].iter().fold(0.0, |m: f64, b| m.max(b.abs()));
     if !scale.is_finite() {
         return;
     }
     // Conversion and halving are convex combinations: n roundings each, of numbers up to `scale`.
     let noise = gamma(4 * n as u32 + 4) * scale;
+    // What most rays meet, without a search.
+    match whole.sign_changes(n) {
+        0 if scale > 0.0 && !might_touch(&whole.b[..n + 1], noise) => {}
+        1 => roots.push(polish(coefficients, &whole, n)),
+        _ => subdivide(Search { coefficients, noise, contact_end: f64::NEG_INFINITY, roots }, whole),
+    }
+}
+
+/// Subdivides until each piece holds no root or one.
+#[inline(never)]
+fn subdivide<const N: usize>(mut search: Search<'_>, whole: Piece<N>) {
     // 53 halvings reach neighbouring numbers; each level leaves one piece waiting.
     let mut waiting: SmallVec<[Piece<N>; 2]> = SmallVec::new();
-    waiting.push(whole);
-    let mut contact_end = f64::NEG_INFINITY;
-    while let Some(piece) = waiting.pop() {
+    let mut next = Some(whole);
+    while let Some(piece) = next {
+        next = match search.settle(&piece) {
+            Some((left, right)) => {
+                waiting.push(right);
+                Some(left)
+            }
+            None => waiting.pop(),
+        };
+    }
+    search.roots.sort_unstable_by(f64::total_cmp);
+}
+
+/// A search for roots in pieces from left to right.
+struct Search<'a> {
+    coefficients: &'a [f64],
+    /// What cannot be told from zero.
+    noise: f64,
+    /// Where the last contact ends.
+    contact_end: f64,
+    roots: &'a mut Roots,
+}
+
+impl Search<'_> {
+    /// Notes the roots of a piece, or returns its halves.
+    #[inline(always)]
+    fn settle<const N: usize>(&mut self, piece: &Piece<N>) -> Option<(Piece<N>, Piece<N>)> {
+        let (n, noise) = (degree::<N>(self.coefficients), self.noise);
         let changes = piece.sign_changes(n);
         if changes == 1 {
-            roots.push(polish(coefficients, &piece, n));
-            continue;
+            self.roots.push(polish(self.coefficients, piece, n));
+            return None;
         }
         let middle = 0.5 * piece.low + 0.5 * piece.high;
         let atom = middle <= piece.low || middle >= piece.high;
-        if atom || piece.b[..=n].iter().all(|b| b.abs() <= noise) {
+        if atom || piece.b[..n + 1].iter().all(|b| b.abs() <= noise) {
             // Nothing here can be told from zero: a crossing, or a contact, which counts twice.
             // The piece on its right may look the same, but is not another.
-            if piece.low > contact_end && (changes > 0 || !atom) {
-                roots.push(middle);
-                roots.extend((changes % 2 == 0).then_some(middle));
+            if piece.low > self.contact_end && (changes > 0 || !atom) {
+                self.roots.push(middle);
+                self.roots.extend(changes.is_multiple_of(2).then_some(middle));
             }
-            contact_end = piece.high;
-            continue;
+            self.contact_end = piece.high;
+            return None;
         }
-        if changes == 0 && !might_touch(&piece.b[..=n], noise) {
-            continue;
+        if changes == 0 && !might_touch(&piece.b[..n + 1], noise) {
+            return None;
         }
         let (left, right) = piece.split(n);
         let parted = left.sign_changes(n) == 0 && right.sign_changes(n) == 0;
         if right.b[0] == 0.0 || parted && right.b[0].abs() <= noise {
             // Neither half counts a root on their common end.
-            roots.push(middle);
-            roots.extend((left.b[n - 1] * right.b[1] > 0.0).then_some(middle));
+            self.roots.push(middle);
+            self.roots.extend((left.b[n - 1] * right.b[1] > 0.0).then_some(middle));
             if parted {
-                continue;
+                return None;
             }
         }
-        waiting.push(right);
-        waiting.push(left);
+        Some((left, right))
     }
-    roots.sort_unstable_by(f64::total_cmp);
 }
 
 /// Whether a piece without sign change dips to zero within the noise between its ends.
@@ -201,31 +262,45 @@ fn might_touch(b: &[f64], noise: f64) -> bool {
     b[1..n].iter().any(|c| c.abs() <= noise) && b[0].abs() > noise && b[n].abs() > noise
 }
 
+/// Reciprocals of the binomial coefficients of `n`, which is less than `N`.
+const fn inverse_binomials<const N: usize>(n: usize) -> [f64; N] {
+    let (mut inverses, mut binomial, mut i) = ([1.0; N], 1.0, 0);
+    while i <= n {
+        inverses[i] = 1.0 / binomial;
+        binomial *= (n - i) as f64 / (i + 1) as f64;
+        i += 1;
+    }
+    inverses
+}
+
 /// Bernstein coefficients over [low, high] from powers.
 #[inline(always)]
 fn bernstein<const N: usize>(coefficients: &[f64], n: usize, low: f64, high: f64) -> [f64; N] {
     let mut b = [0.0; N];
-    b[..=n].copy_from_slice(coefficients);
-    // Taylor shift to `low`, then scale to the unit interval.
-    for i in 0..n {
-        for j in (i..n).rev() {
-            b[j] += low * b[j + 1];
+    b[..n + 1].copy_from_slice(coefficients);
+    // Taylor shift to `low`, then scale to the unit interval, which pieces of curves have from the start.
+    if low != 0.0 {
+        for i in 0..n {
+            for j in (i..n).rev() {
+                b[j] += low * b[j + 1];
+            }
         }
     }
     let width = high - low;
-    let mut power = 1.0;
-    for c in &mut b[..=n] {
-        *c *= power;
-        power *= width;
+    if width != 1.0 {
+        let mut power = 1.0;
+        for c in &mut b[..n + 1] {
+            *c *= power;
+            power *= width;
+        }
     }
     // Powers to Bernstein: divide by the binomials, then sum differences.
-    let mut binomial = 1.0;
-    for (i, c) in b[..=n].iter_mut().enumerate() {
-        *c /= binomial;
-        binomial *= (n - i) as f64 / (i + 1) as f64;
+    let inverses = if n + 1 == N { const { inverse_binomials::<N>(N - 1) } } else { inverse_binomials::<N>(n) };
+    for i in 1..n {
+        b[i] *= inverses[i];
     }
-    for i in 1..=n {
-        for j in (i..=n).rev() {
+    for i in 1..n + 1 {
+        for j in (i..n + 1).rev() {
             b[j] += b[j - 1];
         }
     }
@@ -239,6 +314,7 @@ fn bernstein<const N: usize>(coefficients: &[f64], n: usize, low: f64, high: f64
 #[inline(always)]
 fn polish<const N: usize>(coefficients: &[f64], piece: &Piece<N>, n: usize) -> f64 {
     let (mut low, mut high, first, last) = (piece.low, piece.high, piece.b[0], piece.b[n]);
+    let curvature = piece.curvature(n);
     let rising = last > first;
     // Not next to an end that may be another root but for rounding.
     let share = (first / (first - last)).clamp(0.125, 0.875);
@@ -257,7 +333,10 @@ fn polish<const N: usize>(coefficients: &[f64], piece: &Piece<N>, n: usize) -> f
         let newton = t - value / slope;
         let next = if newton > low && newton < high { newton } else { 0.5 * low + 0.5 * high };
         // Steps below one unit in the last place change nothing.
-        if (next - t).abs() <= f64::EPSILON * 0.5 * t.abs() || next == t {
+        let (step, unit) = ((next - t).abs(), f64::EPSILON * 0.5 * t.abs());
+        // So does the next step of Newton's method, whose error is f'' / 2 f' times the square of the one before, here
+        // with twice the bound of it.
+        if step <= unit || next == newton && curvature * step * step <= unit * slope.abs() {
             return next;
         }
         t = next;

@@ -80,6 +80,7 @@ pub(super) fn julia(julia: &scene::JuliaFractal) -> Compiled {
     Compiled::Julia(Box::new(Julia {
         parameter: julia.parameter,
         hypercomplex: julia.hypercomplex,
+        radius: Julia::radius_of(julia.parameter, julia.hypercomplex),
         function,
         n_iterations: julia.max_iteration.max(1) as usize,
         smallest_step: 1.0 / julia.precision.max(1.0),

@@ -56,8 +56,8 @@ impl Crackle {
             m => (power + shift).powf(1.0 / m),
         };
         let term = |weight: f64, power: f64| if weight == 0.0 { 0.0 } else { weight * distance(power) };
-        let wanted = self.form.to_array().iter().rposition(|weight| *weight != 0.0).map_or(1, |last| last + 1);
-        let [first, second, third] = search(p, metric, wanted).powers;
+        let distances = self.form.to_array().iter().rposition(|weight| *weight != 0.0).map_or(1, |last| last + 1);
+        let [first, second, third] = search(p, metric, Wanted { distances, point: false }).powers;
         (term(self.form.x, first) + term(self.form.y, second) + term(self.form.z, third)).clamp(0.0, 1.0)
     }
 }
@@ -73,6 +73,7 @@ pub(super) enum Metric {
 
 /// The nearest point, and the powers of the smallest distances.
 pub(super) struct Nearest {
+    /// Of no meaning where only distances were asked for.
     pub(super) point: DVec3,
     /// Of three points; only as many as were asked for are sure to be the smallest.
     powers: [f64; 3],
@@ -92,17 +93,26 @@ const TOUCHING: usize = 27;
 
 /// The point nearest to `p`.
 pub(super) fn nearest(p: DVec3, metric: Metric) -> DVec3 {
-    search(p, metric, 1).point
+    search(p, metric, Wanted { distances: 1, point: true }).point
 }
 
-/// Finds the `wanted` nearest points, 1 to 3.
-fn search(p: DVec3, metric: Metric, wanted: usize) -> Nearest {
+/// What is asked about the nearest points.
+#[derive(Clone, Copy)]
+struct Wanted {
+    /// Of how many points, 1 to 3.
+    distances: usize,
+    /// Where the nearest is.
+    point: bool,
+}
+
+/// Finds the nearest points.
+fn search(p: DVec3, metric: Metric, wanted: Wanted) -> Nearest {
     let corner = DVec3::from((p - CELL_OFFSET).to_array().map(floor));
     let none = Nearest { point: corner, powers: [f64::INFINITY; 3] };
-    let search = Search { p, corner, wanted };
+    let search = Search { p, corner, wanted: wanted.distances };
     match metric {
-        Metric::Power(2.0) => search.beyond(|d| d * d, touching::nearest(p, corner, Share::Square)),
-        Metric::Power(1.0) => search.beyond(f64::abs, touching::nearest(p, corner, Share::Absolute)),
+        Metric::Power(2.0) => search.beyond(|d| d * d, touching::nearest(p, corner, Share::Square, wanted.point)),
+        Metric::Power(1.0) => search.beyond(f64::abs, touching::nearest(p, corner, Share::Absolute, wanted.point)),
         Metric::Power(m) => {
             let share = |d: f64| d.abs().powf(m);
             search.beyond(share, search.among(&NEIGHBOURS[..TOUCHING], share, true, none))
@@ -128,9 +138,10 @@ impl Search {
     /// Goes on to the cubes that do not touch that of the point, where they may be near enough.
     #[inline]
     fn beyond(&self, share: impl Fn(f64) -> f64, near: Nearest) -> Nearest {
+        // These cubes begin a whole cube away along some axis.
         let inside = self.p - self.corner;
-        let away = inside.to_array().map(|x| Self::slab(-2.0, x).min(Self::slab(2.0, x)));
-        if share(away[0].min(away[1]).min(away[2])) > near.powers[self.wanted - 1] {
+        let away = (inside + 1.0).min(2.0 - inside).min_element();
+        if share(away) > near.powers[self.wanted - 1] {
             return near;
         }
         self.among(&NEIGHBOURS[TOUCHING..], share, true, near)

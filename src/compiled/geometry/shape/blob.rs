@@ -105,7 +105,7 @@ impl BlobPart {
         };
         let r2 = self.radius * self.radius;
         let (a, b, c) = (d.length_squared(), 2.0 * o.dot(d), o.length_squared());
-        let (mut low, mut high) = if a > 0.0 {
+        let (low, high) = if a > 0.0 {
             let [low, high] = quadratic_roots(a, b, c - r2)?;
             (low, high)
         } else if c < r2 {
@@ -113,14 +113,7 @@ impl BlobPart {
         } else {
             return None;
         };
-        if dz == 0.0 {
-            if z < from || z > to {
-                return None;
-            }
-        } else {
-            let (s0, s1) = ((from - z) / dz, (to - z) / dz);
-            (low, high) = (low.max(s0.min(s1)), high.min(s0.max(s1)));
-        }
+        let Range { min: low, max: high } = Range { min: low, max: high }.between([from, to], z, dz);
         // strength (1 - (c + b s + a s²) / R²)².
         let (k, l, m) = (1.0 - c / r2, -b / r2, -a / r2);
         let field = [k * k, 2.0 * k * l, l * l + 2.0 * k * m, 2.0 * l * m, m * m].map(|f| f * self.strength);

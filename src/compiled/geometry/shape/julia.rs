@@ -6,9 +6,11 @@
 
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::math::{Bounds, DVec3, DVec4, Range, Ray, gamma, quadratic_roots};
+use ahead::{AHEAD, Ahead, Insides};
 use hypercomplex::Pair;
 use smallvec::SmallVec;
 
+mod ahead;
 mod hypercomplex;
 
 /// What is iterated; all but the first two only on hypercomplex numbers.
@@ -40,6 +42,8 @@ pub(crate) struct Julia {
     /// c.
     pub(crate) parameter: DVec4,
     pub(crate) hypercomplex: bool,
+    /// Of the sphere around the set, by [`radius_of`](Self::radius_of).
+    pub(crate) radius: f64,
     pub(crate) function: JuliaFunction,
     pub(crate) n_iterations: usize,
     /// Least distance between samples along a ray.
@@ -57,6 +61,11 @@ const FINEST: f64 = 1e-7;
 /// nothing of the fractal.
 const NEAREST: f64 = 1e-4;
 
+/// POV-Ray's slope of half a squared length against a ray up to which hypercomplex sets are approached by the smallest
+/// steps, and how many of these the others may have.
+const LEAST_APPROACH: f64 = 2e-8;
+const MOST_STEPS: f64 = 30.0;
+
 /// POV-Ray's slack of the escape radius.
 const ESCAPE_SLACK: f64 = 1e-7;
 
@@ -68,7 +77,7 @@ struct HyperOrbit {
     last: Pair,
     /// Of the derivatives, as POV-Ray has them, of all steps; of none, the last point.
     product: Pair,
-    steps: i32,
+    steps: usize,
 }
 
 impl HyperOrbit {
@@ -79,14 +88,14 @@ impl HyperOrbit {
 }
 
 impl Julia {
-    /// Radius of the sphere around the set.
-    fn radius(&self) -> f64 {
-        if self.hypercomplex { 4.0 } else { (1.0 + self.parameter.length() + ESCAPE_SLACK).min(2.0) }
+    /// Radius of the sphere around a set with such a parameter.
+    pub(crate) fn radius_of(parameter: DVec4, hypercomplex: bool) -> f64 {
+        if hypercomplex { 4.0 } else { (1.0 + parameter.length() + ESCAPE_SLACK).min(2.0) }
     }
 
     /// Squared length at which an orbit has escaped.
     fn escape(&self) -> f64 {
-        let squared = self.radius() * self.radius();
+        let squared = self.radius * self.radius;
         if self.hypercomplex { squared } else { squared + ESCAPE_SLACK }
     }
 
@@ -143,16 +152,15 @@ impl Julia {
 
     /// Whether a sample is inside, and how far the next one may be.
     #[inline]
-    fn sample(&self, p: DVec3, direction: DVec3, escape: f64) -> (bool, f64) {
-        let start = self.start(p);
+    fn sample(&self, p: DVec3, direction: DVec3) -> (bool, f64) {
+        let (start, escape) = (self.start(p), self.escape());
         if !self.hypercomplex {
             return self.quaternion_sample(start, escape);
         }
         let mut orbit = HyperOrbit::new(start);
         for _ in 0..self.n_iterations {
-            let n = orbit.last.norm();
-            if n > escape {
-                return (false, self.hypercomplex_step(&orbit, n, direction));
+            if orbit.last.norm() > escape {
+                return (false, self.hypercomplex_step(&orbit, direction));
             }
             self.follow(&mut orbit);
         }
@@ -189,20 +197,22 @@ impl Julia {
         (true, self.smallest_step)
     }
 
-    fn hypercomplex_step(&self, orbit: &HyperOrbit, n: f64, direction: DVec3) -> f64 {
-        let approach = -2.0 * self.hypercomplex_gradient(orbit).dot(direction);
+    fn hypercomplex_step(&self, orbit: &HyperOrbit, direction: DVec3) -> f64 {
+        let (n, approach) = (orbit.last.norm(), -2.0 * self.hypercomplex_gradient(orbit).dot(direction));
         let least = self.smallest_step * approach;
-        if approach > 2e-8 && least < n && n < 30.0 * least { n / approach } else { self.smallest_step }
+        if approach > LEAST_APPROACH && least < n && n < MOST_STEPS * least { n / approach } else { self.smallest_step }
+    }
+
+    /// What stands before the last point in the gradient after some steps.
+    fn gradient_scale(&self, steps: usize) -> f64 {
+        // Powers of two up to the largest number.
+        if matches!(self.function, JuliaFunction::Sqr) { 2f64.powi(steps.clamp(1, 1 << 10) as i32) } else { 1.0 }
     }
 
     /// POV-Ray's estimate of the direction in which the last point of an orbit grows.
     fn hypercomplex_gradient(&self, orbit: &HyperOrbit) -> DVec3 {
         let d = DVec4::from(orbit.product);
-        let scale = match self.function {
-            JuliaFunction::Sqr => 2f64.powi(orbit.steps.max(1)),
-            _ => 1.0,
-        };
-        let n = DVec4::from(orbit.last) * scale;
+        let n = DVec4::from(orbit.last) * self.gradient_scale(orbit.steps);
         DVec3::new(d.dot(n), DVec4::new(-d.y, d.x, -d.w, d.z).dot(n), DVec4::new(-d.z, -d.w, d.x, d.y).dot(n))
     }
 
@@ -231,18 +241,17 @@ impl Julia {
     fn march(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
         let speed = ray.direction.length();
         let unit = Ray::new(ray.origin, ray.direction / speed);
-        let (b, c) = (2.0 * unit.origin.dot(unit.direction), unit.origin.length_squared() - self.radius().powi(2));
+        let (b, c) = (2.0 * unit.origin.dot(unit.direction), unit.origin.length_squared() - self.radius.powi(2));
         let Some([enter, leave]) = quadratic_roots(1.0, b, c) else { return };
         let end = leave.min(range.max * speed);
         if leave < FINEST {
             return;
         }
-        let (mut s, escape) = (enter.max(FINEST), self.escape());
-        let sample = |s: f64| self.sample(unit.at(s), unit.direction, escape);
-        let (mut inside, mut step) = sample(s);
+        let (mut s, mut ahead) = (enter.max(FINEST), Ahead::new(self, &unit));
+        let (mut inside, mut step) = ahead.sample(s);
         if inside {
             s += 2.0 * FINEST;
-            (inside, step) = sample(s);
+            (inside, step) = ahead.sample(s);
         }
         while s <= end {
             // Also where the estimate is not a number.
@@ -251,7 +260,7 @@ impl Julia {
             if next > leave || next <= s {
                 return;
             }
-            let (now_inside, next_step) = sample(next);
+            let (now_inside, next_step) = ahead.sample(next);
             if now_inside != inside && found(self.change(&unit, s, length, inside) / speed) {
                 return;
             }
@@ -262,13 +271,35 @@ impl Julia {
     /// Halves a step until the change is found, and ends on its inner side.
     fn change(&self, ray: &Ray, mut s: f64, mut length: f64, inside: bool) -> f64 {
         while length > FINEST {
-            length *= 0.5;
-            if self.inside(ray.at(s + length)) == inside {
-                s += length;
+            let distances = halvings(s, length);
+            let insides = Insides::new(self, ray, &distances);
+            let mut node = 1;
+            while node < AHEAD && length > FINEST {
+                length *= 0.5;
+                let beyond = insides.is_inside(node) == inside;
+                if beyond {
+                    s = distances[node];
+                }
+                node = 2 * node + usize::from(beyond);
             }
         }
         if inside { s } else { s + length }
     }
+}
+
+/// Where a stretch is halved, and its halves, and theirs: after entry n comes 2n on its near side, 2n + 1 on its far one.
+fn halvings(s: f64, mut length: f64) -> [f64; AHEAD] {
+    let (mut middles, mut starts) = ([s; AHEAD], [s; AHEAD]);
+    for node in 1..AHEAD {
+        if node.is_power_of_two() {
+            length *= 0.5;
+        }
+        middles[node] = starts[node] + length;
+        if 2 * node < AHEAD {
+            (starts[2 * node], starts[2 * node + 1]) = (starts[node], middles[node]);
+        }
+    }
+    middles
 }
 
 /// The least parameter of a hit.
@@ -278,7 +309,7 @@ fn nearest(ray: &Ray) -> f64 {
 
 impl Primitive for Julia {
     fn bounds(&self) -> Bounds {
-        let half = DVec3::splat(self.radius());
+        let half = DVec3::splat(self.radius);
         Bounds { min: -half, max: half }
     }
 
@@ -327,6 +358,6 @@ impl Primitive for Julia {
         };
         let usable = gradient.is_finite() && gradient != DVec3::ZERO;
         // Not the depth of the search: rays start where POV-Ray starts them, and NEAREST does the rest.
-        LocalSurface::plain(p, gamma(32) * self.radius(), if usable { gradient } else { DVec3::X })
+        LocalSurface::plain(p, gamma(32) * self.radius, if usable { gradient } else { DVec3::X })
     }
 }

@@ -88,19 +88,12 @@ impl Lathe {
 fn may_meet(near: &NearRay, reach: Range, [min, max]: &[DVec2; 2]) -> bool {
     let (o, d) = (near.origin, near.direction);
     let (o2, d2) = (DVec2::new(o.x, o.z), DVec2::new(d.x, d.z));
-    let (mut low, mut high) = (reach.min, reach.max);
     let pad = ROOT_ERROR * (o.y.abs() + min.y.abs().max(max.y.abs()));
-    if d.y == 0.0 {
-        if o.y < min.y - pad || o.y > max.y + pad {
-            return false;
-        }
-    } else {
-        let (s0, s1) = ((min.y - pad - o.y) / d.y, (max.y + pad - o.y) / d.y);
-        (low, high) = (low.max(s0.min(s1)), high.min(s0.max(s1)));
-    }
-    if low > high {
+    let reach = reach.between([min.y - pad, max.y + pad], o.y, d.y);
+    if reach.is_empty() {
         return false;
     }
+    let Range { min: low, max: high } = reach;
     // The distance from the axis first falls, then rises. What is not a number says nothing.
     let nearest = (-o2.dot(d2) / d2.length_squared()).max(low).min(high);
     let distance = |s: f64| (o2 + d2 * s).length();

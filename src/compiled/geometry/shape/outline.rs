@@ -70,12 +70,12 @@ impl Segment {
     /// Whether the whole count is odd follows from the ends alone, each held by its upper side, so that
     /// pieces that meet in a point count it once.
     pub(crate) fn crosses_right_of(&self, p: DVec2, bounds: &[DVec2; 2]) -> bool {
-        let (a, b) = (self.at(0.0).y > p.y, self.at(1.0).y > p.y);
         let [min, max] = bounds;
         if p.y < min.y || p.y > max.y || p.x >= max.x {
             // All of it is on one side of the line, or to the left; rounding keeps the ends from saying otherwise.
             return false;
         }
+        let (a, b) = (self.at(0.0).y > p.y, self.at(1.0).y > p.y);
         if p.x < min.x {
             return a != b;
         }

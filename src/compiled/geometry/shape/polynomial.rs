@@ -13,6 +13,10 @@ pub(crate) struct Polynomial {
     pub(crate) coefficients: Arc<[f64]>,
 }
 
+/// Bits of the highest term's weight that may be lost to the others before far roots are looked for by themselves: less than
+/// a third of what there are.
+const SPARE_BITS: i32 = 16;
+
 /// A polynomial along a ray, rising.
 type Along = [f64; MAX_DEGREE + 1];
 
@@ -126,6 +130,12 @@ impl Primitive for Polynomial {
                 out.push(ShapeHit { t, part: 0 });
             }
         };
+        // A little further the polynomial does as well.
+        let radius = if inside.max.max(-inside.min) <= radius * power_of_two(SPARE_BITS / n.max(1) as i32) {
+            f64::INFINITY
+        } else {
+            radius
+        };
         roots_in(along, inside.min.max(-radius), inside.max.min(radius)).into_iter().for_each(&mut record);
         let mut reversed = [0.0; MAX_DEGREE + 1];
         for (k, c) in along.iter().enumerate() {
@@ -151,11 +161,21 @@ impl Primitive for Polynomial {
     }
 }
 
-/// A radius at which the lowest and the highest term weigh the same; 1 where one is missing.
+/// A power of two near which the lowest and the highest term weigh the same, times 1.7: roots of even surfaces lie just
+/// there, and a cut beside them keeps them whole. As if these weighed the same at 1, where one is missing.
 fn balance(coefficients: &[f64]) -> f64 {
-    let n = coefficients.len() - 1;
-    let ratio = (coefficients[0] / coefficients[n]).abs();
-    // Roots of even surfaces lie just there; a cut beside them keeps them whole.
-    let radius = if ratio.is_finite() && ratio > 0.0 { 1.7 * (ratio.ln() / n as f64).exp() } else { 1.0 };
-    if radius.is_finite() && radius > 0.0 { radius } else { 1.0 }
+    let n = coefficients.len() as i32 - 1;
+    let ratio = (coefficients[0] / coefficients[coefficients.len() - 1]).abs();
+    let exponent = if ratio.is_normal() { exponent(ratio).div_euclid(n.max(1)) } else { 0 };
+    1.7 * power_of_two(exponent)
+}
+
+/// What a power of two has to be raised to for a normal number not to be below it.
+fn exponent(v: f64) -> i32 {
+    (v.to_bits() >> 52 & 0x7ff) as i32 - 1023
+}
+
+/// 2^n for exponents of normal numbers.
+fn power_of_two(n: i32) -> f64 {
+    f64::from_bits(((n + 1023) as u64) << 52)
 }

@@ -5,8 +5,10 @@ use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::parts::{Tree, WORTH_A_TREE};
 use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
-use smallvec::SmallVec;
+use passage::{Band, Boxes, Passage};
 use std::sync::Arc;
+
+mod passage;
 
 /// Closed curves that belong together: what an odd number of them surrounds is inside.
 #[derive(Clone, Debug)]
@@ -14,6 +16,8 @@ pub(crate) struct Outline {
     pub(crate) segments: Box<[Segment]>,
     /// Lower and upper corner of a box around each segment.
     hulls: Box<[[DVec2; 2]]>,
+    /// The same for lanes.
+    boxes: Boxes,
     min: DVec2,
     max: DVec2,
     /// Around the outline swept by its prism.
@@ -26,7 +30,7 @@ impl Outline {
     pub(crate) fn new(segments: Vec<Segment>) -> Self {
         let hulls: Box<_> = segments.iter().map(Segment::bounds).collect();
         let [min, max] = around(&hulls);
-        Self { segments: segments.into(), hulls, min, max, swept: Bounds::EMPTY, first: 0 }
+        Self { segments: segments.into(), boxes: Boxes::new(&hulls), hulls, min, max, swept: Bounds::EMPTY, first: 0 }
     }
 
     fn contains(&self, p: DVec2) -> bool {
@@ -61,17 +65,6 @@ struct Shadow {
     constant: f64,
 }
 
-impl Shadow {
-    /// Whether the line may meet a box, given by two corners.
-    fn may_meet(&self, [low, high]: &[DVec2; 2]) -> bool {
-        let (middle, half) = ((*low + *high) * 0.5, (*high - *low) * 0.5);
-        let reach = self.normal.abs().dot(half);
-        // What is added up rounds less often than that, here and where the box was found.
-        let slack = gamma(64) * (self.normal.abs().dot(middle.abs()) + self.constant.abs() + reach);
-        (self.normal.dot(middle) + self.constant).abs() <= reach + slack
-    }
-}
-
 const LOW_CAP: u32 = u32::MAX - 1;
 const HIGH_CAP: u32 = u32::MAX;
 
@@ -102,17 +95,27 @@ impl Prism {
         Self { outlines, tree, low, high, conic, open: false, caps_only: false, outward_caps: false }
     }
 
-    /// The box in which a ray's shadow on the plane of an outline passes over it; `None` for nowhere.
-    fn passage(&self, outline: &Outline, ray: &SlabRay<'_>, range: Range) -> Option<[DVec2; 2]> {
+    /// `None` where a ray's shadow passes by an outline.
+    fn passage(&self, outline: &Outline, slabs: &SlabRay<'_>, shadow: &Shadow, range: Range) -> Option<Passage> {
+        let (ray, hull) = (slabs.ray, [outline.min, outline.max]);
+        let corner = hull[0].abs().max(hull[1].abs());
+        // Products of points as far away as corners round less often than that, here and where boxes were found.
+        let product_error = |direction: DVec2| gamma(64) * direction.abs().dot(corner);
+        let slack = 2.0 * product_error(shadow.normal) + gamma(64) * shadow.constant.abs();
+        let across = Band::new(shadow.normal, [-shadow.constant; 2], slack);
+        let direction = DVec2::new(ray.direction.x, ray.direction.z);
         if self.conic {
-            return Some([outline.min, outline.max]);
+            let along = Band::new(direction, [f64::NEG_INFINITY, f64::INFINITY], 0.0);
+            return Some(Passage { across, along, hull });
         }
-        let Range { min, max } = ray.within(&outline.swept, range);
-        let (a, b) = (ray.ray.at(min), ray.ray.at(max));
+        let Range { min, max } = slabs.within(&outline.swept, range);
+        let (a, b) = (ray.at(min), ray.at(max));
         // As uncertain as the box was taken to be.
-        let slack = gamma(64) * (a.abs().max(b.abs()).max_element() + ray.ray.origin.abs().max_element());
+        let slack = gamma(64) * (a.abs().max(b.abs()).max_element() + ray.origin.abs().max_element());
         let (a, b) = (DVec2::new(a.x, a.z), DVec2::new(b.x, b.z));
-        (min <= max).then_some([a.min(b) - slack, a.max(b) + slack])
+        let ends = [direction.dot(a), direction.dot(b)];
+        let along = Band::new(direction, ends, direction.abs().element_sum() * slack + 2.0 * product_error(direction));
+        (min <= max).then_some(Passage { across, along, hull: [a.min(b) - slack, a.max(b) + slack] })
     }
 
     /// The ray's shadow on the plane of the outline.
@@ -131,9 +134,6 @@ impl Prism {
     /// Crossings with one piece of outline swept without end: (t, w).
     fn sides(&self, segment: &Segment, ray: &Ray, shadow: &Shadow, mut found: impl FnMut(f64, f64)) {
         let (o, d) = (ray.origin, ray.direction);
-        if shadow.normal == DVec2::ZERO {
-            return;
-        }
         for w in segment.zeros(shadow.normal.x, shadow.normal.y, shadow.constant) {
             let p = segment.at(w);
             let lean = if self.conic { p } else { DVec2::ZERO };
@@ -144,11 +144,48 @@ impl Prism {
         }
     }
 
-    /// Outlines that a ray may meet, in their order, and perhaps others.
-    fn met_by(&self, ray: &Ray, range: Range) -> SmallVec<[&Outline; 16]> {
+    /// Goes through the outlines that a ray may meet, in their order, and perhaps others.
+    fn met_by(&self, ray: &Ray, range: Range, visit: impl FnMut(&Outline)) {
         match &self.tree {
-            Some(tree) => tree.met_by(ray, range).into_iter().map(|i| &self.outlines[i as usize]).collect(),
-            None => self.outlines.iter().collect(),
+            Some(tree) => tree.met_by(ray, range).into_iter().map(|i| &self.outlines[i as usize]).for_each(visit),
+            None => self.outlines.iter().for_each(visit),
+        }
+    }
+
+    /// Crossings with what an outline makes.
+    #[inline]
+    fn outline_crossings(
+        &self,
+        outline: &Outline,
+        slabs: &SlabRay<'_>,
+        shadow: &Shadow,
+        range: Range,
+        out: &mut ShapeHits,
+    ) {
+        let ray = slabs.ray;
+        let Some(passage) = self.passage(outline, slabs, shadow, range) else { return };
+        // A ray along the axis meets caps alone.
+        let no_sides = self.caps_only || shadow.normal == DVec2::ZERO;
+        let sides = if no_sides { 0 } else { outline.segments.len() };
+        outline.boxes.met_by(&passage, sides, |i| {
+            let (segment, part) = (&outline.segments[i], outline.first + i as u32);
+            self.sides(segment, ray, shadow, |t, _| {
+                let y = ray.origin.y + t * ray.direction.y;
+                if range.contains(t) && self.low <= y && y <= self.high {
+                    out.push(ShapeHit { t, part });
+                }
+            });
+        });
+        if self.open || ray.direction.y == 0.0 {
+            return;
+        }
+        for (y, part) in [(self.low, LOW_CAP), (self.high, HIGH_CAP)] {
+            let t = (y - ray.origin.y) / ray.direction.y;
+            // POV-Ray's threshold for a cone's missing cap at its apex.
+            let there = !self.conic || y.abs() > AT_APEX;
+            if there && range.contains(t) && outline.contains(self.flat(ray.at(t), y)) {
+                out.push(ShapeHit { t, part });
+            }
         }
     }
 
@@ -165,33 +202,7 @@ impl Primitive for Prism {
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
         let (shadow, slabs) = (self.shadow(ray), SlabRay::new(ray));
-        for outline in self.met_by(ray, range) {
-            let Some([low, high]) = self.passage(outline, &slabs, range) else { continue };
-            let sides = if self.caps_only { &[][..] } else { &outline.segments[..] };
-            for ((segment, part), hull) in sides.iter().zip(outline.first..).zip(&outline.hulls) {
-                let aside = hull[1].cmplt(low).any() || hull[0].cmpgt(high).any();
-                if aside || !shadow.may_meet(hull) {
-                    continue;
-                }
-                self.sides(segment, ray, &shadow, |t, _| {
-                    let y = ray.origin.y + t * ray.direction.y;
-                    if range.contains(t) && self.low <= y && y <= self.high {
-                        out.push(ShapeHit { t, part });
-                    }
-                });
-            }
-            if self.open || ray.direction.y == 0.0 {
-                continue;
-            }
-            for (y, part) in [(self.low, LOW_CAP), (self.high, HIGH_CAP)] {
-                let t = (y - ray.origin.y) / ray.direction.y;
-                // POV-Ray's threshold for a cone's missing cap at its apex.
-                let there = !self.conic || y.abs() > AT_APEX;
-                if there && range.contains(t) && outline.contains(self.flat(ray.at(t), y)) {
-                    out.push(ShapeHit { t, part });
-                }
-            }
-        }
+        self.met_by(ray, range, |outline| self.outline_crossings(outline, &slabs, &shadow, range, out));
     }
 
     fn contains(&self, p: DVec3) -> bool {

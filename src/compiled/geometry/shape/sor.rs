@@ -77,25 +77,17 @@ impl Primitive for Sor {
         }
         let near = NearRay::new(ray, b.center(), 2.0 * b.size().length());
         let (o, d) = (near.origin, near.direction);
-        let reach = near.range(range);
+        let (reach, size) = (near.range(range), 4.0 * b.size().length());
+        let reach = Range { min: reach.min.max(-size), max: reach.max.min(size) };
         let mut record = |s: f64, part: u32| {
             let t = near.t(s);
             if range.contains(t) {
                 out.push(ShapeHit { t, part });
             }
         };
-        let size = 4.0 * b.size().length();
         for (segment, part) in self.segments.iter().zip(0..) {
-            let (mut low, mut high) = (reach.min.max(-size), reach.max.min(size));
-            if d.y == 0.0 {
-                if o.y < segment.low || o.y > segment.high {
-                    continue;
-                }
-            } else {
-                let (s0, s1) = ((segment.low - o.y) / d.y, (segment.high - o.y) / d.y);
-                (low, high) = (low.max(s0.min(s1)), high.min(s0.max(s1)));
-            }
-            if low > high {
+            let within = reach.between([segment.low, segment.high], o.y, d.y);
+            if within.is_empty() {
                 continue;
             }
             // ρ² less the cubic of h + s d.y, expanded.
@@ -106,7 +98,7 @@ impl Primitive for Sor {
                 d.x * d.x + d.z * d.z - (3.0 * c[3] * h + c[2]) * v * v,
                 -c[3] * v * v * v,
             ];
-            roots_in(&along, low, high).into_iter().for_each(|s| record(s, part));
+            roots_in(&along, within.min, within.max).into_iter().for_each(|s| record(s, part));
         }
         if !self.open && d.y != 0.0 {
             let ((low, high), (base, cap)) = (self.ends(), self.rims());

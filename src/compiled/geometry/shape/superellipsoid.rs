@@ -2,7 +2,9 @@
 
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
 use crate::math::{Bounds, DVec3, Range, Ray, gamma};
-use smallvec::SmallVec;
+use std::ops::ControlFlow;
+
+mod hollow;
 
 /// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1.
 ///
@@ -14,9 +16,6 @@ pub(crate) struct Superellipsoid {
     /// Roundness of the sections along z, n.
     pub(crate) north_south: f64,
 }
-
-/// Pieces in which a stretch between symmetry planes is searched for two close roots.
-const SAMPLES: usize = 8;
 
 /// POV-Ray's own threshold of the inside test, in the shape's unit cube.
 const INSIDE_SLACK: f64 = 1e-10;
@@ -33,14 +32,12 @@ impl Chord {
     fn new(ray: &Ray, range: Range) -> Option<Self> {
         let near = NearRay::new(ray, DVec3::ZERO, 4.0);
         let (o, d) = (near.origin, near.direction);
-        let reach = near.range(range);
-        let (mut low, mut high) = (reach.min, reach.max);
+        let mut reach = near.range(range);
         for axis in 0..3 {
             // A little larger than the shape, so that roots on its flat faces are enclosed.
-            let (a, b) = ((-1.001 - o[axis]) / d[axis], (1.001 - o[axis]) / d[axis]);
-            low = low.max(a.min(b));
-            high = high.min(a.max(b));
+            reach = reach.between([-1.001, 1.001], o[axis], d[axis]);
         }
+        let Range { min: low, max: high } = reach;
         (low < high && (high - low).is_finite()).then_some(Self { near, low, high })
     }
 
@@ -55,24 +52,37 @@ impl Superellipsoid {
         self.east_west <= 2.0 && self.north_south <= 2.0
     }
 
-    /// The p-norm of two lengths and its slope, from the lengths and their slopes.
+    /// Powers of both norms: across z, and of that and z.
+    fn powers(&self) -> [f64; 2] {
+        [2.0 / self.east_west, 2.0 / self.north_south]
+    }
+
+    /// The p-norm of two lengths and its slope, from the lengths and their slopes; without end where a length
+    /// leaves 0 and p < 1.
     fn norm_along((a, da): (f64, f64), (b, db): (f64, f64), p: f64) -> (f64, f64) {
         let ((low, d_low), (high, d_high)) = if a < b { ((a, da), (b, db)) } else { ((b, db), (a, da)) };
         if high == 0.0 {
-            return (0.0, 0.0);
+            // Both lengths grow from here or have shrunk up to here.
+            return (0.0, Self::norm(da.abs(), db.abs(), p).copysign(da + db));
         }
         let ratio = low / high;
-        let power = ratio.powf(p);
-        let root = (1.0 + power).powf(1.0 / p);
-        let share = if ratio > 0.0 { power / ratio } else { 0.0 };
-        (high * root, root / (1.0 + power) * (d_high + share * d_low))
+        let power = raised(ratio, p);
+        let root = rooted(1.0 + power, p);
+        let share = match (ratio > 0.0, p < 1.0) {
+            (true, _) => power / ratio,
+            (false, true) => f64::INFINITY,
+            (false, false) => 0.0,
+        };
+        let low_slope = if d_low == 0.0 { 0.0 } else { share * d_low };
+        (high * root, root / (1.0 + power) * (d_high + low_slope))
     }
 
     /// Value and slope at a point along a direction.
     fn value_along(&self, p: DVec3, d: DVec3) -> (f64, f64) {
         let side = |axis: usize| (p[axis].abs(), d[axis] * 1.0f64.copysign(p[axis]));
-        let across = Self::norm_along(side(0), side(1), 2.0 / self.east_west);
-        let (norm, slope) = Self::norm_along(across, side(2), 2.0 / self.north_south);
+        let [pe, pn] = self.powers();
+        let across = Self::norm_along(side(0), side(1), pe);
+        let (norm, slope) = Self::norm_along(across, side(2), pn);
         (norm - 1.0, slope)
     }
 
@@ -106,60 +116,30 @@ impl Superellipsoid {
     /// The p-norm's (aᵖ + bᵖ)^(1/p), without overflow for large powers.
     fn norm(a: f64, b: f64, p: f64) -> f64 {
         let (low, high) = (a.min(b), a.max(b));
-        if high == 0.0 { 0.0 } else { high * (1.0 + (low / high).powf(p)).powf(1.0 / p) }
+        if high == 0.0 { 0.0 } else { high * rooted(1.0 + raised(low / high, p), p) }
     }
 
-    /// 0 on the surface, and linear in the size of `p`.
-    fn value(&self, p: DVec3) -> f64 {
-        let p = p.abs();
-        Self::norm(Self::norm(p.x, p.y, 2.0 / self.east_west), p.z, 2.0 / self.north_south) - 1.0
+    /// The norm across z, and of that and z: 1 on the surface, and linear in the size of `p`.
+    fn norms(&self, p: DVec3) -> [f64; 2] {
+        let ([pe, pn], p) = (self.powers(), p.abs());
+        let across = Self::norm(p.x, p.y, pe);
+        [across, Self::norm(across, p.z, pn)]
     }
 
-    /// Direction of steepest rise.
-    fn gradient(&self, p: DVec3) -> DVec3 {
-        let (pe, pn) = (2.0 / self.east_west, 2.0 / self.north_south);
-        let a = p.abs();
-        let across = Self::norm(a.x, a.y, pe);
-        let whole = Self::norm(across, a.z, pn);
+    /// Direction of steepest rise at a point with such norms.
+    fn gradient(&self, p: DVec3, [across, whole]: [f64; 2]) -> DVec3 {
+        let ([pe, pn], a) = (self.powers(), p.abs());
         // d norm(a, b; p) / da = (a / norm)^(p - 1).
-        let slope = |part: f64, norm: f64, power: f64| if norm == 0.0 { 0.0 } else { (part / norm).powf(power - 1.0) };
+        let slope = |part: f64, norm: f64, p: f64| match norm {
+            0.0 => 0.0,
+            _ if p == 2.0 => part / norm,
+            _ => (part / norm).powf(p - 1.0),
+        };
         let outer = slope(across, whole, pn);
         let g = DVec3::new(outer * slope(a.x, across, pe), outer * slope(a.y, across, pe), slope(a.z, whole, pn));
         // On a symmetry plane a sharp edge has no slope of its own: finite values only.
         let g = DVec3::select(g.abs().cmplt(DVec3::INFINITY), g, DVec3::splat(1.0 / gamma(1)));
-        g * DVec3::new(1.0f64.copysign(p.x), 1.0f64.copysign(p.y), 1.0f64.copysign(p.z))
-    }
-
-    /// Where values of opposite sign enclose a root. Source: Oliveira, Takahashi, An Enhancement
-    /// of the Bisection Method Average Performance Preserving Minmax Optimality, 2021 (in spirit:
-    /// false position, with bisection when it stalls).
-    fn root(&self, ray: &NearRay, (mut low, mut f_low): (f64, f64), (mut high, mut f_high): (f64, f64)) -> f64 {
-        for round in 0..200 {
-            let guess = if round % 3 == 2 { 0.5 * (low + high) } else { low - f_low * (high - low) / (f_high - f_low) };
-            let s = if guess > low && guess < high { guess } else { 0.5 * (low + high) };
-            if s <= low || s >= high || high - low <= gamma(2) * low.abs().max(high.abs()) {
-                break;
-            }
-            let f = self.value(ray.origin + ray.direction * s);
-            if (f < 0.0) == (f_low < 0.0) { (low, f_low) = (s, f) } else { (high, f_high) = (s, f) }
-        }
-        0.5 * (low + high)
-    }
-
-    /// The least value between two samples whose neighbours are no lower, by golden section.
-    fn dip(&self, ray: &NearRay, mut low: f64, mut high: f64) -> (f64, f64) {
-        const GOLDEN: f64 = 0.381_966_011_250_105_1;
-        let f = |s: f64| self.value(ray.origin + ray.direction * s);
-        for _ in 0..48 {
-            let (a, b) = (low + GOLDEN * (high - low), high - GOLDEN * (high - low));
-            let (fa, fb) = (f(a), f(b));
-            if fa <= 0.0 {
-                return (a, fa);
-            }
-            if fa < fb { high = b } else { low = a }
-        }
-        let s = 0.5 * (low + high);
-        (s, f(s))
+        g * DVec3::ONE.copysign(p)
     }
 
     /// Where a chord enters a convex shape.
@@ -171,54 +151,23 @@ impl Superellipsoid {
     fn last(&self, chord: &Chord) -> Option<f64> {
         self.outer_root(chord, chord.high, chord.low).map(|s| chord.high - s)
     }
+}
 
-    /// Every root on a chord of a shape that need not be convex.
-    fn sampled(&self, chord: &Chord, mut record: impl FnMut(f64)) {
-        let Chord { near, low, high } = chord;
-        let (o, d, low, high) = (near.origin, near.direction, *low, *high);
-        // Between symmetry planes the function is smooth.
-        let mut cuts: SmallVec<[f64; 16]> = SmallVec::from_slice(&[low, high]);
-        for plane in [
-            DVec3::X,
-            DVec3::Y,
-            DVec3::Z,
-            DVec3::new(1.0, 1.0, 0.0),
-            DVec3::new(1.0, -1.0, 0.0),
-            DVec3::new(1.0, 0.0, 1.0),
-            DVec3::new(1.0, 0.0, -1.0),
-            DVec3::new(0.0, 1.0, 1.0),
-            DVec3::new(0.0, 1.0, -1.0),
-        ] {
-            let s = -plane.dot(o) / plane.dot(d);
-            if s > low && s < high {
-                cuts.push(s);
-            }
-        }
-        cuts.sort_unstable_by(f64::total_cmp);
-        let mut samples: SmallVec<[(f64, f64); 96]> = SmallVec::new();
-        for pair in cuts.windows(2) {
-            samples.extend(
-                (0..SAMPLES).map(|k| pair[0] + (pair[1] - pair[0]) * (k as f64 / SAMPLES as f64)).map(|s| (s, 0.0)),
-            );
-        }
-        samples.push((high, 0.0));
-        for sample in &mut samples {
-            sample.1 = self.value(o + d * sample.0);
-        }
-        for i in 1..samples.len() {
-            let (a, b) = (samples[i - 1], samples[i]);
-            if (a.1 < 0.0) != (b.1 < 0.0) {
-                record(self.root(near, a, b));
-            }
-            let Some(c) = samples.get(i + 1) else { continue };
-            if a.1 > 0.0 && b.1 > 0.0 && c.1 > 0.0 && b.1 <= a.1 && b.1 <= c.1 {
-                let bottom = self.dip(near, a.0, c.0);
-                if bottom.1 < 0.0 {
-                    record(self.root(near, a, bottom));
-                    record(self.root(near, bottom, *c));
-                }
-            }
-        }
+/// x^p; most shapes have a round side.
+#[inline]
+fn raised(x: f64, p: f64) -> f64 {
+    if p == 2.0 { x * x } else { x.powf(p) }
+}
+
+/// x^(1/p).
+#[inline]
+fn rooted(x: f64, p: f64) -> f64 {
+    if p == 2.0 {
+        x.sqrt()
+    } else if x == 1.0 {
+        1.0
+    } else {
+        x.powf(1.0 / p)
     }
 }
 
@@ -238,33 +187,36 @@ impl Primitive for Superellipsoid {
         if self.is_convex() {
             [self.first(&chord), self.last(&chord)].into_iter().flatten().for_each(record);
         } else {
-            self.sampled(&chord, &mut record);
+            let _: ControlFlow<()> = self.roots(&chord, |s| {
+                record(s);
+                ControlFlow::Continue(())
+            });
         }
     }
 
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
-        if !self.is_convex() {
-            let mut hits = ShapeHits::new();
-            self.crossings(ray, range, &mut hits);
-            return super::nearest_of(hits);
-        }
         let chord = Chord::new(ray, range)?;
         let hit = |s: f64| Some(chord.near.t(s)).filter(|t| range.contains(*t)).map(|t| ShapeHit { t, part: 0 });
+        if !self.is_convex() {
+            let mut nearest = None;
+            let _: ControlFlow<()> = self.roots(&chord, |s| {
+                nearest = hit(s);
+                if nearest.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            });
+            return nearest;
+        }
         self.first(&chord).and_then(hit).or_else(|| self.last(&chord).and_then(hit))
     }
 
     fn contains(&self, p: DVec3) -> bool {
-        self.value(p) < INSIDE_SLACK
+        self.norms(p)[1] - 1.0 < INSIDE_SLACK
     }
 
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let p = ray.at(t);
-        // The value is linear in size, so scaling moves the point onto the surface.
-        let point = p / (self.value(p) + 1.0);
-        LocalSurface::plain(
-            point,
-            gamma(64) * (1.0 + 1.0 / self.east_west + 1.0 / self.north_south),
-            self.gradient(point),
-        )
+        let norms = self.norms(p);
+        // The whole norm is linear in size, so scaling moves the point onto the surface; directions do not change.
+        let error = gamma(64) * (1.0 + 1.0 / self.east_west + 1.0 / self.north_south);
+        LocalSurface::plain(p / norms[1], error, self.gradient(p, norms))
     }
 }

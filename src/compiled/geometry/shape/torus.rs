@@ -46,25 +46,19 @@ impl Torus {
     }
 
     /// The stretch of a unit-direction ray inside the cylinder |y| <= r, ρ <= R + r.
-    fn clip(&self, o: DVec3, d: DVec3, range: Range) -> Option<(f64, f64)> {
+    fn clip(&self, o: DVec3, d: DVec3, mut range: Range) -> Option<(f64, f64)> {
         let reach = self.reach();
         let (a, b) = (d.x * d.x + d.z * d.z, o.x * d.x + o.z * d.z);
-        let (mut low, mut high) = (range.min, range.max);
         let rim = reach * (1.0 + gamma(32));
         let c = o.x * o.x + o.z * o.z - rim * rim;
         if a > 0.0 {
             let [s0, s1] = crate::math::quadratic_roots(a, 2.0 * b, c)?;
-            (low, high) = (low.max(s0), high.min(s1));
+            range = Range { min: range.min.max(s0), max: range.max.min(s1) };
         } else if c > 0.0 {
             return None;
         }
-        if d.y != 0.0 {
-            let half = self.minor.abs() * (1.0 + gamma(32));
-            let (s0, s1) = ((-half - o.y) / d.y, (half - o.y) / d.y);
-            (low, high) = (low.max(s0.min(s1)), high.min(s0.max(s1)));
-        } else if o.y.abs() > self.minor.abs() {
-            return None;
-        }
+        let half = self.minor.abs() * (1.0 + gamma(32));
+        let Range { min: low, max: high } = range.between([-half, half], o.y, d.y);
         (low < high).then_some((low, high))
     }
 }

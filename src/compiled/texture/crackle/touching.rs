@@ -46,8 +46,8 @@ impl Share {
     }
 }
 
-/// The nearest of the points in the cubes that touch the one at `corner`, which holds `p`.
-pub(super) fn nearest(p: DVec3, corner: DVec3, share: Share) -> Nearest {
+/// The nearest of the points in the cubes that touch the one at `corner`, which holds `p`; where it is if `with_point`.
+pub(super) fn nearest(p: DVec3, corner: DVec3, share: Share, with_point: bool) -> Nearest {
     KNOWN.with_borrow_mut(|known| {
         if known.is_empty() {
             // No corner equals what is not a number.
@@ -59,7 +59,7 @@ pub(super) fn nearest(p: DVec3, corner: DVec3, share: Share) -> Nearest {
         if around.corner != corner {
             *around = Touching::new(corner);
         }
-        dispatch(Search { around, p, share })
+        dispatch(Search { around, p, share, with_point })
     })
 }
 
@@ -83,6 +83,7 @@ struct Search<'t> {
     around: &'t Touching,
     p: DVec3,
     share: Share,
+    with_point: bool,
 }
 
 impl Work for Search<'_> {
@@ -90,7 +91,7 @@ impl Work for Search<'_> {
 
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) -> Nearest {
-        let Self { around, p, share } = self;
+        let Self { around, p, share, with_point } = self;
         let (px, py, pz) = (simd.splat_f64s(p.x), simd.splat_f64s(p.y), simd.splat_f64s(p.z));
         let [xs, ys, zs] = &around.coordinates;
         let mut all = [simd.splat_f64s(0.0); GROUPS];
@@ -111,6 +112,9 @@ impl Work for Search<'_> {
             merged([first[0], second[0], third[0]], [first[1], second[1], third[1]]),
             merged([first[2], second[2], third[2]], [first[3], second[3], third[3]]),
         );
+        if !with_point {
+            return Nearest { point: p, powers };
+        }
         let all: &[f64; 4 * GROUPS] = cast_ref(&all);
         let mut index = 0;
         while index + 1 < TOUCHING && all[index] != powers[0] {

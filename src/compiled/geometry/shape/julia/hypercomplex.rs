@@ -31,7 +31,20 @@ impl From<Pair> for DVec4 {
     }
 }
 
+impl From<[f64; 4]> for Pair {
+    /// From both real parts and both imaginary parts.
+    #[inline]
+    fn from([r0, r1, i0, i1]: [f64; 4]) -> Self {
+        Self { real: DVec2::new(r0, r1), imaginary: DVec2::new(i0, i1) }
+    }
+}
+
 impl Pair {
+    /// Both real parts and both imaginary parts.
+    pub(super) fn to_array(self) -> [f64; 4] {
+        [self.real.x, self.real.y, self.imaginary.x, self.imaginary.y]
+    }
+
     #[inline]
     pub(super) fn times(self, o: Self) -> Self {
         Self {
