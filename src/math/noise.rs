@@ -189,10 +189,17 @@ pub fn halving_vector_noises(p: DVec3, count: usize) -> DVec3 {
 }
 
 /// Sum of noises of rising frequency.
+#[inline(always)]
 pub fn turbulence(generator: NoiseGenerator, octaves: Octaves, p: DVec3) -> f64 {
+    turbulence_at(generator, octaves, p.x, p.y, p.z)
+}
+
+/// Takes the point in registers: it would be written number by number and read in pairs, for which the processor waits.
+#[inline(never)]
+fn turbulence_at(generator: NoiseGenerator, octaves: Octaves, x: f64, y: f64, z: f64) -> f64 {
     let mut room = [0.0; MAX_OCTAVES];
     let noises = &mut room[..octaves.count()];
-    fill(generator, p, f64::from(octaves.lambda), noises);
+    fill(generator, DVec3::new(x, y, z), f64::from(octaves.lambda), noises);
     let octave = |noise: f64| match generator {
         NoiseGenerator::Original => noise,
         _ => 2.0 * noise - 0.5,
@@ -216,6 +223,7 @@ pub fn noises<const COUNT: usize>(generator: NoiseGenerator, p: DVec3, factor: f
     noises
 }
 
+#[inline(always)]
 fn fill(generator: NoiseGenerator, p: DVec3, factor: f64, noises: &mut [f64]) {
     let series = Series { point: p, factor };
     match generator {
