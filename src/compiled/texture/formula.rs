@@ -119,12 +119,8 @@ fn checker(p: DVec3) -> f64 {
 
 fn square(p: DVec3) -> f64 {
     let odd = |v: f64| modulo(floor(v), 2.0) == 1.0;
-    match (odd(p.x), odd(p.z)) {
-        (false, false) => 0.0,
-        (false, true) => 1.0,
-        (true, true) => 2.0,
-        (true, false) => 3.0,
-    }
+    let along_z = f64::from(u8::from(odd(p.z)));
+    if odd(p.x) { 3.0 - along_z } else { along_z }
 }
 
 /// Index of the dominant direction: +x, +y, +z, -x, -y, -z; the first one wins ties.

@@ -4,17 +4,24 @@
 //! from which sides at a corner are borders. Source: section 10 of the pattern facts (measured).
 
 use super::pavement_table::{HEXAGON_PAVEMENTS, PavementMap, SQUARE_PAVEMENTS, TRIANGLE_PAVEMENTS};
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, floor};
 
 /// Height of a triangle of side 1.
 const H: f64 = 0.866_025_403_784_438_6;
 /// 2 sqrt(3): one over the distance from the middle of a triangle to its sides.
 const K: f64 = 4.0 * H;
 
+/// Unit directions of the lattice's edges, counter-clockwise from x towards z: of squares, and of triangles.
+const SQUARE_DIRECTIONS: [DVec2; 4] = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
+const TRIANGLE_DIRECTIONS: [DVec2; 6] =
+    [DVec2::X, DVec2::new(0.5, H), DVec2::new(-0.5, H), DVec2::NEG_X, DVec2::new(-0.5, -H), DVec2::new(0.5, -H)];
+
 /// A pavement.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Pavement {
     map: &'static PavementMap,
+    /// For each lattice point of a period the spokes of it and of the points that follow by (1, 0), (1, 1) and (0, 1).
+    spokes: Box<[[Spokes; 4]]>,
     /// Three, four or six.
     sides: u32,
     interior: u32,
@@ -27,6 +34,9 @@ impl std::fmt::Debug for Pavement {
         f.debug_struct("Pavement").field("sides", &self.sides).finish_non_exhaustive()
     }
 }
+
+/// Which edges that leave a lattice point are borders, bit by bit, in the order of their directions.
+type Spokes = u8;
 
 /// A corner of the cell under the point.
 struct Corner {
@@ -47,6 +57,29 @@ impl Corner {
     }
 }
 
+impl PavementMap {
+    /// The number of a lattice point within the period.
+    fn point(&self, i: i64, j: i64) -> usize {
+        let (width, height) = (i64::from(self.width), i64::from(self.height));
+        let rows = j.div_euclid(height);
+        let i = i.wrapping_sub(rows.wrapping_mul(i64::from(self.shift))).rem_euclid(width);
+        ((j - rows * height) * width + i) as usize
+    }
+
+    /// The spokes of a lattice point of squares, or else of triangles.
+    fn spokes(&self, sides: u32, i: i64, j: i64) -> Spokes {
+        let per_point = if sides == 4 { 2 } else { 3 };
+        let edge = |i: i64, j: i64, edge: usize| (self.borders >> (self.point(i, j) * per_point + edge) & 1) as Spokes;
+        let (left, below) = (edge(i - 1, j, 0), edge(i, j - 1, 1));
+        let own = edge(i, j, 0) | edge(i, j, 1) << 1;
+        if sides == 4 {
+            own | left << 2 | below << 3
+        } else {
+            own | edge(i - 1, j, 2) << 2 | left << 3 | below << 4 | edge(i, j - 1, 2) << 5
+        }
+    }
+}
+
 impl Pavement {
     /// Tiles of `tiles` cells in arrangement `pattern` (from 1); `None` where there is none.
     pub fn new(sides: u32, tiles: u32, pattern: u32, [interior, exterior, form]: [u32; 3]) -> Option<Self> {
@@ -58,67 +91,57 @@ impl Pavement {
         };
         let map = by_tiles.get(tiles.checked_sub(1)? as usize)?.get(pattern.checked_sub(1)? as usize)?;
         let forms = if sides == 4 { 4 } else { 3 };
-        Some(Self { map, sides, interior: interior % 3, exterior: exterior % 3, form: form % forms })
+        let spokes = (0..i64::from(map.width) * i64::from(map.height))
+            .map(|at| {
+                let (i, j) = (at % i64::from(map.width), at / i64::from(map.width));
+                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(a, b)| map.spokes(sides, i + a, j + b))
+            })
+            .collect();
+        Some(Self { map, spokes, sides, interior: interior % 3, exterior: exterior % 3, form: form % forms })
     }
 
-    fn is_square(&self) -> bool {
-        self.sides == 4
-    }
-
-    /// Whether an edge of a lattice point is a border.
-    fn edge(&self, i: i64, j: i64, edge: u32) -> bool {
-        let (width, height) = (i64::from(self.map.width), i64::from(self.map.height));
-        let rows = j.div_euclid(height);
-        let (i, j) = ((i - rows * i64::from(self.map.shift)).rem_euclid(width), j - rows * height);
-        let per_point = if self.is_square() { 2 } else { 3 };
-        self.map.borders >> ((j * width + i) * per_point + i64::from(edge)) & 1 == 1
-    }
-
-    /// Borders that leave a lattice point, counter-clockwise from x towards z.
-    fn spokes(&self, i: i64, j: i64) -> Vec<bool> {
-        let own = [self.edge(i, j, 0), self.edge(i, j, 1)];
-        let (left, below) = (self.edge(i - 1, j, 0), self.edge(i, j - 1, 1));
-        if self.is_square() {
-            vec![own[0], own[1], left, below]
-        } else {
-            vec![own[0], own[1], self.edge(i - 1, j, 2), left, below, self.edge(i, j - 1, 2)]
-        }
-    }
-
-    /// The corner of a cell at lattice point (i, j) whose sides there are spokes `k` and `k + 1`.
-    fn corner(&self, i: i64, j: i64, k: usize) -> Corner {
-        let spokes = self.spokes(i, j);
-        let n = spokes.len();
-        let at = if self.is_square() {
-            DVec2::new(i as f64, j as f64)
-        } else {
-            DVec2::new(i as f64 + 0.5 * j as f64, H * j as f64)
-        };
-        let direction = |k: usize| DVec2::from_angle(std::f64::consts::TAU * (k % n) as f64 / n as f64);
-        let border = [spokes[k], spokes[(k + 1) % n]];
+    /// The corner at lattice point (i, j) of a cell whose sides there are spokes `k` and `k + 1` of `directions`.
+    #[inline]
+    fn corner(spokes: Spokes, at: DVec2, directions: &[DVec2], k: usize) -> Corner {
+        let n = directions.len();
+        let wrapped = |k: usize| if k >= n { k - n } else { k };
+        let is_border = |k: usize| spokes >> k & 1 == 1;
+        let border = [is_border(k), is_border(wrapped(k + 1))];
         Corner {
             at,
-            along: [direction(k), direction(k + 1)],
+            along: [directions[k], directions[wrapped(k + 1)]],
             border,
-            beyond: [spokes[(k + n - 1) % n], spokes[(k + 2) % n]],
-            concave: border == [false, false] && spokes.contains(&true),
+            beyond: [is_border(wrapped(k + n - 1)), is_border(wrapped(k + 2))],
+            concave: border == [false, false] && spokes != 0,
         }
     }
 
     /// The value at a point.
     pub(super) fn value(&self, p: DVec3) -> f64 {
         let p = DVec2::new(p.x, p.z);
-        if self.is_square() {
-            let (i, j) = (p.x.floor() as i64, p.y.floor() as i64);
-            let corners = [(0, 0, 0), (1, 0, 1), (1, 1, 2), (0, 1, 3)].map(|(a, b, k)| self.corner(i + a, j + b, k));
-            self.square(p, &corners)
+        if self.sides == 4 {
+            let (i, j) = (floor(p.x), floor(p.y));
+            let spokes = self.spokes[self.map.point(i as i64, j as i64)];
+            let corner =
+                |a: f64, b: f64, k: usize| Self::corner(spokes[k], DVec2::new(i + a, j + b), &SQUARE_DIRECTIONS, k);
+            self.square(p, &[corner(0.0, 0.0, 0), corner(1.0, 0.0, 1), corner(1.0, 1.0, 2), corner(0.0, 1.0, 3)])
         } else {
             let b = p.y / H;
             let a = p.x - 0.5 * b;
-            let (i, j) = (a.floor() as i64, b.floor() as i64);
-            let lower = (a - a.floor()) + (b - b.floor()) < 1.0;
-            let places = if lower { [(0, 0, 0), (1, 0, 2), (0, 1, 4)] } else { [(1, 1, 3), (0, 1, 5), (1, 0, 1)] };
-            self.triangle(p, &places.map(|(a, b, k)| self.corner(i + a, j + b, k)))
+            let (i, j) = (floor(a), floor(b));
+            let spokes = self.spokes[self.map.point(i as i64, j as i64)];
+            let corner = |[a, b]: [f64; 2], spokes: Spokes, k: usize| {
+                let at = DVec2::new((i + a) + 0.5 * (j + b), H * (j + b));
+                Self::corner(spokes, at, &TRIANGLE_DIRECTIONS, k)
+            };
+            let [here, right, across, up] = spokes;
+            let is_lower = (a - i) + (b - j) < 1.0;
+            let corners = if is_lower {
+                [corner([0.0, 0.0], here, 0), corner([1.0, 0.0], right, 2), corner([0.0, 1.0], up, 4)]
+            } else {
+                [corner([1.0, 1.0], across, 3), corner([0.0, 1.0], up, 5), corner([1.0, 0.0], right, 1)]
+            };
+            self.triangle(p, &corners)
         }
     }
 

@@ -5,7 +5,7 @@
 //! distance to the nearest side. Source: section 9 of the pattern facts (measured).
 
 use super::penrose::Penrose;
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, floor};
 
 /// Height of a triangle of side 1.
 const H: f64 = 0.866_025_403_784_438_6;
@@ -50,6 +50,8 @@ pub struct Periodic {
     rho: f64,
     /// Steps of the lattice.
     steps: [DVec2; 2],
+    /// 1 over the area of the lattice's cell.
+    inverse_area: f64,
     /// Every tile that reaches into the cell at the origin.
     tiles: Vec<Tile>,
     /// Reflects the plane into (0..3) x (0..3) first, as tiling 12 does.
@@ -60,6 +62,8 @@ pub struct Periodic {
 #[derive(Clone, Debug)]
 struct Tile {
     corners: Vec<DVec2>,
+    /// First corner and unit direction of each side.
+    sides: Vec<(DVec2, DVec2)>,
     kind: f64,
     /// Keeps a kind's lowest values from touching the kind below, as POV-Ray does.
     floor: f64,
@@ -73,7 +77,12 @@ impl Tile {
     fn new(kind: u32, corners: Vec<DVec2>) -> Self {
         let area: f64 = (0..corners.len()).map(|i| corners[i].perp_dot(corners[(i + 1) % corners.len()])).sum();
         let corners = if area < 0.0 { corners.into_iter().rev().collect() } else { corners };
-        Self { corners, kind: f64::from(kind), floor: 0.0, added: 0.0, uneven: false }
+        Self { sides: sides_of(&corners), corners, kind: f64::from(kind), floor: 0.0, added: 0.0, uneven: false }
+    }
+
+    fn moved(&self, shift: DVec2) -> Self {
+        let corners: Vec<_> = self.corners.iter().map(|c| *c + shift).collect();
+        Self { sides: sides_of(&corners), corners, ..*self }
     }
 
     fn floor(self, floor: f64) -> Self {
@@ -90,13 +99,7 @@ impl Tile {
 
     /// Distance to the nearest side's line; negative outside.
     fn depth(&self, p: DVec2) -> f64 {
-        self.sides().map(|(a, along)| along.perp_dot(p - a)).fold(f64::INFINITY, f64::min)
-    }
-
-    /// First corner and unit direction of each side.
-    fn sides(&self) -> impl Iterator<Item = (DVec2, DVec2)> {
-        let n = self.corners.len();
-        (0..n).map(move |i| (self.corners[i], (self.corners[(i + 1) % n] - self.corners[i]).normalize()))
+        self.sides.iter().map(|(a, along)| along.perp_dot(p - *a)).fold(f64::INFINITY, f64::min)
     }
 
     /// 0 in the middle, 1 at the sides.
@@ -109,13 +112,21 @@ impl Tile {
         let facing = |normal: DVec2, degrees: f64| normal.dot(DVec2::from_angle(degrees.to_radians())) > 0.99;
         let distance = |a: DVec2, along: DVec2| along.perp_dot(p - a);
         let outward = |along: DVec2| DVec2::new(along.y, -along.x);
-        let in_top_strip = self.sides().any(|(a, along)| facing(outward(along), 90.0) && distance(a, along) <= 0.5);
+        let in_top_strip =
+            self.sides.iter().any(|(a, along)| facing(outward(*along), 90.0) && distance(*a, *along) <= 0.5);
         let slope = |normal: DVec2| {
             let gentle: &[f64] = if in_top_strip { &[30.0, 150.0] } else { &[0.0, 180.0, -90.0] };
             if gentle.iter().any(|d| facing(normal, *d)) { 3.0 } else { 2.0 * R3 }
         };
-        self.sides().map(|(a, along)| slope(outward(along)) * distance(a, along)).fold(f64::INFINITY, f64::min)
+        let scaled = |(a, along): &(DVec2, DVec2)| slope(outward(*along)) * distance(*a, *along);
+        self.sides.iter().map(scaled).fold(f64::INFINITY, f64::min)
     }
+}
+
+/// First corner and unit direction of each side of a polygon.
+fn sides_of(corners: &[DVec2]) -> Vec<(DVec2, DVec2)> {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(from, to)| (*from, (*to - *from).normalize())).collect()
 }
 
 fn v(x: f64, z: f64) -> DVec2 {
@@ -154,14 +165,14 @@ impl Periodic {
         for tile in &tiles {
             all.extend(copies_at_origin(tile, steps));
         }
-        Self { n_kinds, rho, steps, tiles: all, folded: n == 12 }
+        let inverse_area = 1.0 / steps[0].perp_dot(steps[1]);
+        Self { n_kinds, rho, steps, inverse_area, tiles: all, folded: n == 12 }
     }
 
     fn value(&self, p: DVec2) -> f64 {
         let p = if self.folded { v((p.x.rem_euclid(6.0) - 3.0).abs(), (p.y.rem_euclid(6.0) - 3.0).abs()) } else { p };
         let [a, b] = self.steps;
-        let area = a.perp_dot(b);
-        let (i, j) = ((p.perp_dot(b) / area).floor(), (a.perp_dot(p) / area).floor());
+        let (i, j) = (floor(p.perp_dot(b) * self.inverse_area), floor(a.perp_dot(p) * self.inverse_area));
         let local = p - i * a - j * b;
         // On a common side the later tile wins, as far as rounding of coordinates near 1 can tell.
         let tie = 8.0 * f64::EPSILON;
@@ -170,6 +181,10 @@ impl Periodic {
             let depth = tile.depth(local);
             if deepest.is_none_or(|(best, _)| depth >= best - tie) {
                 deepest = Some((depth, tile));
+            }
+            // Tiles do not overlap: none can be deeper, or as deep.
+            if depth > 2.0 * tie {
+                break;
             }
         }
         deepest.map_or(0.0, |(_, tile)| (tile.kind + tile.rise(local, self.rho) + tile.added) / self.n_kinds)
@@ -188,12 +203,12 @@ fn copies_at_origin(tile: &Tile, [a, b]: [DVec2; 2]) -> Vec<Tile> {
     for i in -reach..=reach {
         for j in -reach..=reach {
             let shift = (f64::from(i) - base.x) * a + (f64::from(j) - base.y) * b;
-            let corners: Vec<DVec2> = tile.corners.iter().map(|c| *c + shift).collect();
-            let spots: Vec<DVec2> = corners.iter().map(|c| lattice(*c)).collect();
+            let copy = tile.moved(shift);
+            let spots: Vec<DVec2> = copy.corners.iter().map(|c| lattice(*c)).collect();
             let low = spots.iter().copied().reduce(DVec2::min).unwrap_or_default();
             let high = spots.iter().copied().reduce(DVec2::max).unwrap_or_default();
             if low.x < 1.0 && low.y < 1.0 && high.x > 0.0 && high.y > 0.0 {
-                copies.push(Tile { corners, ..tile.clone() });
+                copies.push(copy);
             }
         }
     }
@@ -351,8 +366,8 @@ fn hexagons_in_triangles(steps: [DVec2; 2], rho: f64) -> (f64, f64, [DVec2; 2], 
     for i in -4..=4 {
         for j in -4..=4 {
             let origin = f64::from(i) * DVec2::X + f64::from(j) * v(0.5, H);
-            for mut triangle in triangle_pair(0.0) {
-                triangle.corners.iter_mut().for_each(|c| *c += origin);
+            for triangle in triangle_pair(0.0) {
+                let triangle = triangle.moved(origin);
                 let center = triangle.center();
                 if holes.iter().all(|hole| hole.depth(center) < 0.0) {
                     tiles.push(triangle);
@@ -364,10 +379,7 @@ fn hexagons_in_triangles(steps: [DVec2; 2], rho: f64) -> (f64, f64, [DVec2; 2], 
 }
 
 fn copies_around(tile: &Tile, [a, b]: [DVec2; 2]) -> Vec<Tile> {
-    let shifted = |i: i32, j: i32| {
-        let shift = f64::from(i) * a + f64::from(j) * b;
-        Tile { corners: tile.corners.iter().map(|c| *c + shift).collect(), ..tile.clone() }
-    };
+    let shifted = |i: i32, j: i32| tile.moved(f64::from(i) * a + f64::from(j) * b);
     (-6..=6).flat_map(|i| (-6..=6).map(move |j| (i, j))).map(|(i, j)| shifted(i, j)).collect()
 }
 
