@@ -211,3 +211,20 @@ impl Fractal {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_orbit_leads_out_of_the_inside() {
+        let plain = Coloring { kind: 0, factor: 0.5 };
+        let set = Fractal { set: FractalSet::Mandel, exponent: 2, iterations: 2000, exterior: plain, interior: plain };
+        let grid = (0..=250)
+            .flat_map(|i| (-125..=125).map(move |j| DVec2::new(0.01 * f64::from(i) - 2.0, 0.01 * f64::from(j))));
+        let inside: Vec<_> = grid.filter(|p| set.is_deep_inside(*p)).collect();
+        // The areas of the cardioid and of the disc, 3/8 pi and pi/16, in squares of the grid.
+        assert!((inside.len() as f64 - 1.374e4).abs() < 100.0, "{}", inside.len());
+        assert!(inside.iter().all(|p| set.orbit(*p).escape.is_none()));
+    }
+}

@@ -100,7 +100,8 @@ impl Pavement {
         Some(Self { map, spokes, sides, interior: interior % 3, exterior: exterior % 3, form: form % forms })
     }
 
-    /// The corner at lattice point (i, j) of a cell whose sides there are spokes `k` and `k + 1` of `directions`.
+    /// The corner of a cell at a lattice point with such spokes; the cell's sides there lead along `k` and `k + 1` of the
+    /// directions.
     #[inline]
     fn corner(spokes: Spokes, at: DVec2, directions: &[DVec2], k: usize) -> Corner {
         let n = directions.len();
