@@ -1,7 +1,7 @@
 //! Rounding without a call of the C library, which it is where the build may not count on SSE4.1.
 
 /// Adding this and taking it away again rounds to a whole number, up to 2^51.
-const TO_WHOLE: f64 = ((1_u64 << 52) + (1 << 51)) as f64;
+pub(super) const TO_WHOLE: f64 = ((1_u64 << 52) + (1 << 51)) as f64;
 
 /// The largest whole number not above `v`; infinities and NaN stay.
 #[inline]

@@ -1,11 +1,9 @@
 //! Sines of four angles at a time.
 
+use super::floor::TO_WHOLE;
 use super::lanes::Lanes;
 use pulp::f64x4;
 use std::f64::consts::{FRAC_1_PI, PI};
-
-/// Adding this and taking it away again rounds to a whole number.
-const TO_WHOLE: f64 = ((1_u64 << 52) + (1 << 51)) as f64;
 
 /// Pi in three parts. The first has 33 bits and the second 20, so that their products with whole numbers below 2^20
 /// are exact; the third is what the double constant lacks.
@@ -54,25 +52,15 @@ pub(crate) fn sines<S: Lanes>(simd: S, angles: f64x4) -> f64x4 {
 fn tail<S: Lanes>(simd: S, z: f64x4) -> f64x4 {
     let z2 = simd.mul_f64s(z, z);
     let z4 = simd.mul_f64s(z2, z2);
-    let low = four_terms(simd, 1, z, z2);
-    let middle = four_terms(simd, 5, z, z2);
-    let high = simd.add_f64s(simd.splat_f64s(SERIES[9]), simd.mul_f64s(simd.splat_f64s(SERIES[10]), z));
+    let low = simd.add_f64s(two_terms(simd, 1, z), simd.mul_f64s(two_terms(simd, 3, z), z2));
+    let middle = simd.add_f64s(two_terms(simd, 5, z), simd.mul_f64s(two_terms(simd, 7, z), z2));
+    let high = two_terms(simd, 9, z);
     simd.add_f64s(low, simd.mul_f64s(simd.add_f64s(middle, simd.mul_f64s(high, z4)), z4))
 }
 
 #[inline(always)]
-fn four_terms<S: Lanes>(simd: S, first: usize, z: f64x4, z2: f64x4) -> f64x4 {
-    let two = [first, first + 2];
-    let [low, high] = two_terms(simd, two, z);
-    simd.add_f64s(low, simd.mul_f64s(high, z2))
-}
-
-#[inline(always)]
-fn two_terms<S: Lanes>(simd: S, [a, b]: [usize; 2], z: f64x4) -> [f64x4; 2] {
-    [
-        simd.add_f64s(simd.splat_f64s(SERIES[a]), simd.mul_f64s(simd.splat_f64s(SERIES[a + 1]), z)),
-        simd.add_f64s(simd.splat_f64s(SERIES[b]), simd.mul_f64s(simd.splat_f64s(SERIES[b + 1]), z)),
-    ]
+fn two_terms<S: Lanes>(simd: S, first: usize, z: f64x4) -> f64x4 {
+    simd.add_f64s(simd.splat_f64s(SERIES[first]), simd.mul_f64s(simd.splat_f64s(SERIES[first + 1]), z))
 }
 
 #[inline(always)]

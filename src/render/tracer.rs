@@ -85,6 +85,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Follows a ray that starts at the camera and sees no farther than `far`; its direction is a unit vector.
+    // Always inline, as what makes the ray: it is put together where it stays.
     #[inline(always)]
     pub(super) fn follow<G: Gather>(&mut self, ray: Ray, far: f64) -> G {
         self.statistics.camera_rays += 1;

@@ -98,7 +98,7 @@ impl Geometry {
 mod tests {
     use super::super::shape::{Plane, Primitive, Quadric, Sphere};
     use super::*;
-    use crate::math::{DVec3, Ray};
+    use crate::math::{DVec3, MersenneTwister, Ray};
 
     /// Part of a stretch by which it may be too long at either end, and the shortest, in units of the shape, of which that
     /// is well above the slack for rounding.
@@ -108,11 +108,8 @@ mod tests {
     /// Sends rays from near and far at a shape of about unit size: no point beside the stretch is inside, and the
     /// stretch is not much longer than it has to be.
     fn check(shape: &impl Primitive) {
-        let mut seed = 1_u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
-        };
+        let mut twister = MersenneTwister::default();
+        let mut random = || 2.0 * twister.next_f64() - 1.0;
         let (mut confined, mut inside) = (0, 0);
         for i in 0..20_000 {
             let mut vector = || DVec3::new(random(), random(), random());

@@ -91,21 +91,10 @@ impl Geometry {
         let primitive = &self.primitives[hit.primitive as usize];
         let world_from_group = self.world_from(&hit.path, hit.path.steps().len());
         let group_from_local = primitive.group_from_local.as_deref();
-        let (in_group, in_local);
-        let group_ray = match &world_from_group {
-            Some(place) => {
-                in_group = place.inverse_ray(ray);
-                &in_group
-            }
-            None => ray,
-        };
-        let local_ray = match group_from_local {
-            Some(place) => {
-                in_local = place.inverse_ray(group_ray);
-                &in_local
-            }
-            None => group_ray,
-        };
+        let in_group = world_from_group.as_ref().map(|place| place.inverse_ray(ray));
+        let group_ray = in_group.as_ref().unwrap_or(ray);
+        let in_local = group_from_local.map(|place| place.inverse_ray(group_ray));
+        let local_ray = in_local.as_ref().unwrap_or(group_ray);
         let mut found = primitive.shape.surface(local_ray, hit.t, hit.part);
         if primitive.inverse {
             found.normal = -found.normal;

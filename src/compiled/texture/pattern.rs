@@ -220,6 +220,7 @@ fn shape(raw: f64, frequency: f64, phase: f64, wave: Wave) -> f64 {
     waved(if frequency == 0.0 { v } else { remainder(v) }, wave)
 }
 
+/// The wave at a value that is within the period, but for its sign.
 #[inline(never)]
 fn waved(v: f64, wave: Wave) -> f64 {
     let v = if v < 0.0 { fraction(v) } else { v };

@@ -200,17 +200,14 @@ impl Superellipsoid {
 mod tests {
     use super::super::super::Primitive;
     use super::*;
-    use crate::math::{Range, Ray};
+    use crate::math::{MersenneTwister, Range, Ray};
 
     /// Between samples of rays there is an odd number of roots exactly where one sample is inside.
     fn check(east_west: f64, north_south: f64) {
         const SAMPLES: usize = 500;
         let solid = Superellipsoid { east_west, north_south };
-        let mut seed = 1_u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
-        };
+        let mut twister = MersenneTwister::default();
+        let mut random = || 2.0 * twister.next_f64() - 1.0;
         let mut found = 0;
         for _ in 0..40 {
             let mut vector = || DVec3::new(random(), random(), random());
