@@ -1,8 +1,8 @@
 //! The formulas of patterns: here those that need neither noise nor tables.
 
-use super::{Context, Pattern, PatternKind, Pigment, crackle, noise_formula};
-use crate::math::noise::{noise, vector_noise};
-use crate::math::{DVec3, floor, fraction, gray, modulo, round};
+use super::{Context, InnerTurbulence, Pattern, PatternKind, Pigment, crackle, noise_formula};
+use crate::math::noise::{noise, noise_of_points, turbulence, turbulence_of_points, vector_noise};
+use crate::math::{DVec3, LANES, Points, floor, fraction, gray, modulo, round};
 use std::f64::consts::{PI, TAU};
 
 /// POV-Ray's offset that keeps exact borders on the upper cell.
@@ -26,6 +26,40 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
     }
 }
 
+/// The raw values at four points, each with its context.
+pub(super) fn values(pattern: &Pattern, points: &Points, contexts: [&Context; LANES]) -> [f64; LANES] {
+    match &pattern.kind {
+        PatternKind::Agate { generator, octaves, amount } => {
+            let turbulences = turbulence_of_points(*generator, *octaves, points);
+            std::array::from_fn(|i| noise_formula::agate(*amount, turbulences[i], points.lane(i)))
+        }
+        PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => noise_of_points(*generator, points),
+        PatternKind::Dents(generator) => noise_of_points(*generator, points).map(dents),
+        PatternKind::Granite(generator) => noise_formula::granite_of_points(*generator, points),
+        PatternKind::Marble(inner) => with_turbulence(inner.as_deref(), points, noise_formula::marble),
+        PatternKind::Spiral1(arms, inner) => {
+            with_turbulence(inner.as_deref(), points, |shift, p| noise_formula::spiral(*arms, shift, p))
+        }
+        PatternKind::Spiral2(arms, inner) => {
+            with_turbulence(inner.as_deref(), points, |shift, p| noise_formula::double_spiral(*arms, shift, p))
+        }
+        PatternKind::Wood(Some(inner)) => noise_formula::wood_of_points(inner, points),
+        PatternKind::Wrinkles(generator) => noise_formula::wrinkles_of_points(*generator, points),
+        _ => std::array::from_fn(|i| value(pattern, points.lane(i), contexts[i])),
+    }
+}
+
+/// The values of a formula into which turbulence enters as a number.
+#[inline(always)]
+fn with_turbulence(
+    inner: Option<&InnerTurbulence>,
+    points: &Points,
+    formula: impl Fn(f64, DVec3) -> f64,
+) -> [f64; LANES] {
+    let shifts = inner.map_or([0.0; LANES], |t| t.scalar_of_points(points));
+    std::array::from_fn(|i| formula(shifts[i], points.lane(i)))
+}
+
 /// The raw value of a formula that is worth a call, at (x, y, z): a point would go through memory, where it is
 /// written number by number and read in pairs, for which the processor waits. Formulas that are short are inlined for
 /// the same reason.
@@ -33,8 +67,11 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
 fn elaborate(pattern: &Pattern, x: f64, y: f64, z: f64, context: &Context) -> f64 {
     // One for each formula: so none of them goes through memory for the sake of another.
     let p = || DVec3::new(x, y, z);
+    let shift = |inner: &Option<Box<InnerTurbulence>>| inner.as_ref().map_or(0.0, |t| t.scalar(p()));
     match &pattern.kind {
-        PatternKind::Agate { generator, octaves, amount } => noise_formula::agate(*generator, *octaves, *amount, p()),
+        PatternKind::Agate { generator, octaves, amount } => {
+            noise_formula::agate(*amount, turbulence(*generator, *octaves, p()), p())
+        }
         PatternKind::Aoi => angle_of_incidence(context),
         PatternKind::Brick { size, mortar, limit } => brick(p(), *size, *mortar, *limit),
         PatternKind::Cells => crackle::cells(p()),
@@ -42,14 +79,14 @@ fn elaborate(pattern: &Pattern, x: f64, y: f64, z: f64, context: &Context) -> f6
         PatternKind::Cubic => cubic(p()),
         PatternKind::Cylindrical => falling(x.hypot(z)),
         PatternKind::Density(file) => file.value(p()),
-        PatternKind::Dents(generator) => noise(*generator, p()).powi(3),
+        PatternKind::Dents(generator) => dents(noise(*generator, p())),
         PatternKind::Fractal(fractal) => fractal.value(x, y),
         PatternKind::Function(f) => wrapped(f.at(p())),
         PatternKind::Granite(generator) => noise_formula::granite(*generator, p()),
         PatternKind::Hexagon => hexagon(x, z),
         PatternKind::Image(image, mapping) => image.pattern_value(mapping, p()),
         PatternKind::Leopard => noise_formula::leopard(p()),
-        PatternKind::Marble(inner) => noise_formula::marble(inner.as_deref(), p()),
+        PatternKind::Marble(inner) => noise_formula::marble(shift(inner), p()),
         PatternKind::Material(image, mapping, n) => image.material_index(mapping, p(), *n) as f64,
         PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p()))),
         PatternKind::Pavement(pavement) => pavement.value(p()),
@@ -58,8 +95,8 @@ fn elaborate(pattern: &Pattern, x: f64, y: f64, z: f64, context: &Context) -> f6
         PatternKind::Radial => radial(p()),
         PatternKind::Ripples(sources) => sources.ripples(pattern.frequency, pattern.phase, p()),
         PatternKind::Slope(slope) => slope.value(p(), context),
-        PatternKind::Spiral1(arms, inner) => noise_formula::spiral(*arms, inner.as_deref(), p()),
-        PatternKind::Spiral2(arms, inner) => noise_formula::double_spiral(*arms, inner.as_deref(), p()),
+        PatternKind::Spiral1(arms, inner) => noise_formula::spiral(*arms, shift(inner), p()),
+        PatternKind::Spiral2(arms, inner) => noise_formula::double_spiral(*arms, shift(inner), p()),
         PatternKind::Square => square(p()),
         PatternKind::Tiling(tiling) => tiling.value(p()),
         PatternKind::Triangular => triangular(x, z),
@@ -83,7 +120,7 @@ impl Pattern {
     pub(super) fn bump(&self, p: DVec3) -> Option<DVec3> {
         Some(match &self.kind {
             PatternKind::Bumps(_) => vector_noise(p),
-            PatternKind::Dents(generator) => noise(*generator, p).powi(3) * vector_noise(p),
+            PatternKind::Dents(generator) => dents(noise(*generator, p)) * vector_noise(p),
             PatternKind::Wrinkles(_) => noise_formula::wrinkles_bump(p),
             PatternKind::Quilted(control) => noise_formula::quilted_bump(*control, p),
             PatternKind::Ripples(sources) => sources.ripples_bump(self.frequency, self.phase, p),
@@ -91,6 +128,11 @@ impl Pattern {
             _ => return None,
         })
     }
+}
+
+/// Dents: noise of which only the heights stand out.
+fn dents(noise: f64) -> f64 {
+    noise.powi(3)
 }
 
 /// 1 in the middle, 0 from distance 1 on.

@@ -4,10 +4,11 @@
 
 use crate::math::lanes::{Lanes, Work, dispatch};
 use crate::math::noise::{
-    Congruential, NoiseGenerator, Octaves, halving_vector_noises, noises, turbulence, vector_noise, vector_turbulence,
+    Congruential, NoiseGenerator, Octaves, halving_vector_noises, noises, noises_of_points, turbulence,
+    turbulence_of_points, vector_noise, vector_turbulence, vector_turbulence_of_points,
 };
 use crate::math::sine::sines;
-use crate::math::{DVec2, DVec3, floor, fraction, full_turn_angle};
+use crate::math::{DVec3, LANES, Points, floor, fraction, full_turn_angle};
 use bytemuck::cast;
 use std::f64::consts::TAU;
 
@@ -18,28 +19,58 @@ fn sine(turns: f64) -> f64 {
 
 /// Granite: six octaves of folded noise.
 pub(super) fn granite(generator: NoiseGenerator, p: DVec3) -> f64 {
+    granite_sum(generator, noises(generator, GRANITE_SCALE * p, 2.0))
+}
+
+/// The values of granite at four points.
+pub(super) fn granite_of_points(generator: NoiseGenerator, points: &Points) -> [f64; LANES] {
+    let scaled = points.map_coordinates(|_, c| GRANITE_SCALE * c);
+    let noises = noises_of_points::<GRANITE_OCTAVES>(generator, &scaled, 2.0);
+    std::array::from_fn(|i| granite_sum(generator, noises.map(|lanes| lanes[i])))
+}
+
+/// Granite's first frequency.
+const GRANITE_SCALE: f64 = 4.0;
+const GRANITE_OCTAVES: usize = 6;
+
+#[inline(always)]
+fn granite_sum(generator: NoiseGenerator, noises: [f64; GRANITE_OCTAVES]) -> f64 {
     let fold = |n: f64| match generator {
         NoiseGenerator::Original => (0.5 - n).abs(),
         _ => (1.0 - 2.0 * n).abs().min(0.5),
     };
-    halving(noises::<6>(generator, 4.0 * p, 2.0).map(fold))
+    halving(noises.map(fold))
 }
 
 /// Wrinkles: ten octaves of noise.
 pub(super) fn wrinkles(generator: NoiseGenerator, p: DVec3) -> f64 {
+    wrinkles_sum(generator, noises(generator, p, 2.0))
+}
+
+/// The values of wrinkles at four points.
+pub(super) fn wrinkles_of_points(generator: NoiseGenerator, points: &Points) -> [f64; LANES] {
+    let noises = noises_of_points::<WRINKLES_OCTAVES>(generator, points, 2.0);
+    std::array::from_fn(|i| wrinkles_sum(generator, noises.map(|lanes| lanes[i])))
+}
+
+const WRINKLES_OCTAVES: usize = 10;
+
+#[inline(always)]
+fn wrinkles_sum(generator: NoiseGenerator, noises: [f64; WRINKLES_OCTAVES]) -> f64 {
     let fold = |n: f64| match generator {
         NoiseGenerator::Original => n,
         _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
     };
-    0.5 * halving(noises::<10>(generator, p, 2.0).map(fold))
+    0.5 * halving(noises.map(fold))
 }
 
 /// Displacement of a normal by wrinkles.
 pub(super) fn wrinkles_bump(p: DVec3) -> DVec3 {
-    halving_vector_noises(p, 10)
+    halving_vector_noises(p, WRINKLES_OCTAVES)
 }
 
 /// The sum of terms, each with half the weight of the one before.
+#[inline(always)]
 fn halving<const COUNT: usize>(terms: [f64; COUNT]) -> f64 {
     let mut weight = 2.0;
     terms
@@ -51,9 +82,9 @@ fn halving<const COUNT: usize>(terms: [f64; COUNT]) -> f64 {
         .sum()
 }
 
-/// Agate: bands along z, shifted by turbulence of strength `amount`.
-pub(super) fn agate(generator: NoiseGenerator, octaves: Octaves, amount: f64, p: DVec3) -> f64 {
-    let bands = 0.5 * (sine(1.3 * amount * turbulence(generator, octaves, p) + 1.1 * p.z) + 1.0);
+/// Agate: bands along z, shifted by `amount` times a turbulence.
+pub(super) fn agate(amount: f64, turbulence: f64, p: DVec3) -> f64 {
+    let bands = 0.5 * (sine(1.3 * amount * turbulence + 1.1 * p.z) + 1.0);
     bands.clamp(0.0, 1.0).powf(0.77)
 }
 
@@ -69,38 +100,57 @@ pub struct InnerTurbulence {
 }
 
 impl InnerTurbulence {
+    /// As a number.
     #[inline(always)]
-    fn scalar(&self, p: DVec3) -> f64 {
+    pub(super) fn scalar(&self, p: DVec3) -> f64 {
         self.amount.x * turbulence(self.generator, self.octaves, p)
+    }
+
+    /// As a number at each of four points.
+    pub(super) fn scalar_of_points(&self, points: &Points) -> [f64; LANES] {
+        turbulence_of_points(self.generator, self.octaves, points).map(|t| self.amount.x * t)
     }
 }
 
-/// Marble: x, shifted.
+/// Marble: x, shifted by turbulence.
 #[inline(always)]
-pub(super) fn marble(inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
-    p.x + inner.map_or(0.0, |t| t.scalar(p))
+pub(super) fn marble(shift: f64, p: DVec3) -> f64 {
+    p.x + shift
 }
 
 /// Wood: distance from the z axis, wobbling.
 pub(super) fn wood(inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
-    let Some(t) = inner else { return p.x.hypot(p.y) };
-    let d = vector_turbulence(t.octaves, p);
-    let ring = DVec2::new(p.x + sine((p.x + d.x) * t.amount.x), p.y + sine((p.y + d.y) * t.amount.y));
-    (ring.x * ring.x + ring.y * ring.y).sqrt()
+    match inner {
+        Some(inner) => ring(inner.amount, p, vector_turbulence(inner.octaves, p)),
+        None => p.x.hypot(p.y),
+    }
 }
 
-/// The argument of both spirals: z plus radius plus angle.
-pub(super) fn spiral(arms: f64, inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
+/// The values of wobbling wood at four points.
+pub(super) fn wood_of_points(inner: &InnerTurbulence, points: &Points) -> [f64; LANES] {
+    let turbulences = vector_turbulence_of_points(inner.octaves, points);
+    std::array::from_fn(|i| ring(inner.amount, points.lane(i), turbulences.lane(i)))
+}
+
+/// A ring of wood that turbulence makes wobble.
+fn ring(amount: DVec3, p: DVec3, turbulence: DVec3) -> f64 {
+    let x = p.x + sine((p.x + turbulence.x) * amount.x);
+    let y = p.y + sine((p.y + turbulence.y) * amount.y);
+    (x * x + y * y).sqrt()
+}
+
+/// The argument of both spirals: z plus radius plus angle, shifted by turbulence.
+pub(super) fn spiral(arms: f64, shift: f64, p: DVec3) -> f64 {
     let r = (p.x * p.x + p.y * p.y).sqrt();
     // From -y turning toward +x.
     let angle = if r == 0.0 { 0.0 } else { full_turn_angle(p.x, -p.y) };
-    p.z + r + arms * (angle * (1.0 / TAU)) + inner.map_or(0.0, |t| t.scalar(p))
+    p.z + r + arms * (angle * (1.0 / TAU)) + shift
 }
 
 /// A spiral and rings, both folded.
-pub(super) fn double_spiral(arms: f64, inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
+pub(super) fn double_spiral(arms: f64, shift: f64, p: DVec3) -> f64 {
     let folded = |v: f64| 1.0 - (2.0 * fraction(v) - 1.0).abs();
-    folded((p.x * p.x + p.y * p.y).sqrt()) + folded(spiral(arms, inner, p))
+    folded((p.x * p.x + p.y * p.y).sqrt()) + folded(spiral(arms, shift, p))
 }
 
 /// Sources of ripples and waves, four a group.

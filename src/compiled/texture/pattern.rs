@@ -7,7 +7,7 @@ use super::{
 use crate::compiled::geometry::Geometry;
 use crate::function::Function;
 use crate::math::noise::{NoiseGenerator, Octaves};
-use crate::math::{DVec3, Uv, fraction, round_to_even};
+use crate::math::{DVec3, LANES, Points, Uv, fraction, round_to_even};
 use std::sync::Arc;
 
 /// A value for each point.
@@ -136,6 +136,15 @@ impl PatternKind {
     pub fn brick(size: DVec3, mortar: f64) -> Self {
         Self::Brick { size, mortar, limit: DVec3::splat(mortar) / size }
     }
+
+    /// Whether the value depends on the normal.
+    pub fn sees_normals(&self) -> bool {
+        match self {
+            Self::Aoi | Self::Slope(_) => true,
+            Self::Pigment(pigment) => pigment.sees_normals(),
+            _ => false,
+        }
+    }
 }
 
 impl Pattern {
@@ -152,8 +161,19 @@ impl Pattern {
             [warp] => warp.apply(point),
             warps => warps.iter().fold(point, |p, warp| warp.apply(p)),
         };
-        // POV-Ray's own limit.
-        moved.clamp(DVec3::splat(-1e17), DVec3::splat(1e17))
+        moved.clamp(DVec3::splat(-POV_FARTHEST), DVec3::splat(POV_FARTHEST))
+    }
+
+    /// [`warp`](Self::warp) for four points.
+    pub fn warp_points(&self, points: &Points) -> Points {
+        let moved = match &*self.warps {
+            [] => *points,
+            [first, others @ ..] => others.iter().fold(first.apply_to_points(points), |p, warp| warp.apply_to_points(&p)),
+        };
+        moved.map_coordinates(|_, c| {
+            let c = if c > -POV_FARTHEST { c } else { -POV_FARTHEST };
+            if c < POV_FARTHEST { c } else { POV_FARTHEST }
+        })
     }
 
     /// The value at a point of the containing space.
@@ -167,6 +187,11 @@ impl Pattern {
     pub fn value_at_warped(&self, point: DVec3, context: &Context) -> f64 {
         let raw = formula::value(self, point, context);
         shape(raw, self.frequency, self.phase, self.wave)
+    }
+
+    /// The values at four points that [`warp_points`](Self::warp_points) gave, each with its context.
+    pub fn values_at_warped(&self, points: &Points, contexts: [&Context; LANES]) -> [f64; LANES] {
+        formula::values(self, points, contexts).map(|raw| shape(raw, self.frequency, self.phase, self.wave))
     }
 
     /// What stands at a point that [`warp`](Self::warp) gave.
@@ -183,6 +208,9 @@ impl Pattern {
         (self.pick_at_warped(items, warped, context), warped)
     }
 }
+
+/// POV-Ray's own limit for coordinates.
+const POV_FARTHEST: f64 = 1e17;
 
 /// POV-Ray's period of a value: a little more than 1, so that 1 itself stays.
 const POV_PERIOD: f64 = 1.000_01;

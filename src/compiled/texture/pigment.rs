@@ -1,7 +1,7 @@
 //! Colours for points.
 
 use super::{Blend, Context, ImageMap, Pattern, Pick};
-use crate::math::{Color, DVec3, Rgb};
+use crate::math::{Color, DVec3, LANES, Points, Rgb};
 
 /// A colour for each point.
 #[derive(Clone, Debug)]
@@ -50,6 +50,74 @@ impl Pigment {
         }
     }
 
+    /// [`color`](Self::color) at four points, each with its context.
+    pub fn colors(&self, points: &Points, contexts: [&Context; LANES]) -> [Option<Color>; LANES] {
+        match self {
+            Self::Colors(..) | Self::Pigments(..) => self.colors_or_clear(points, contexts).map(Some),
+            Self::Uv(pigment) => pigment.colors(&uv_points(contexts), contexts),
+            Self::Solid(_) | Self::Image(..) => std::array::from_fn(|i| self.color(points.lane(i), contexts[i])),
+        }
+    }
+
+    /// [`color_or_clear`](Self::color_or_clear) at four points, each with its context.
+    fn colors_or_clear(&self, points: &Points, contexts: [&Context; LANES]) -> [Color; LANES] {
+        let (pattern, items) = match self {
+            Self::Colors(pattern, colors) => {
+                let warped = pattern.warp_points(points);
+                let values = pattern.values_at_warped(&warped, contexts);
+                return values.map(|value| picked(colors.pick(value)));
+            }
+            Self::Pigments(pattern, pigments) => (pattern, pigments),
+            _ => return self.colors(points, contexts).map(|color| color.unwrap_or(CLEAR)),
+        };
+        let warped = pattern.warp_points(points);
+        if let Blend::Average(all) = items {
+            let mut sums = [Color::default(); LANES];
+            for (weight, pigment) in all {
+                let colors = pigment.colors_or_clear(&warped, contexts);
+                sums = std::array::from_fn(|i| plus(sums[i], *weight, colors[i]));
+            }
+            return sums;
+        }
+        let values = pattern.values_at_warped(&warped, contexts);
+        // Neighbours mostly show the same items.
+        match values.map(|value| items.pick(value)) {
+            [Pick::One(a), Pick::One(b), Pick::One(c), Pick::One(d)] if [b, c, d].iter().all(|p| std::ptr::eq(*p, a)) => {
+                a.colors_or_clear(&warped, contexts)
+            }
+            picks => std::array::from_fn(|i| {
+                let color = |pigment: &Self| pigment.color_or_clear(warped.lane(i), contexts[i]);
+                match picks[i] {
+                    Pick::One(pigment) => color(pigment),
+                    Pick::Two(lower, upper, share) => color(lower).lerp(color(upper), share),
+                    Pick::All(all) => weighted_sum(all.iter().map(|(w, p)| (*w, color(p)))),
+                }
+            }),
+        }
+    }
+
+    /// Whether it pays to find the colours of neighbours at once: there is a pattern, and none that looks at normals,
+    /// which the bumps of other layers change.
+    pub fn is_side_by_side(&self) -> bool {
+        match self {
+            Self::Solid(_) | Self::Image(..) => false,
+            Self::Colors(..) | Self::Pigments(..) => !self.sees_normals(),
+            Self::Uv(pigment) => pigment.is_side_by_side(),
+        }
+    }
+
+    /// Whether the colour depends on the normal.
+    pub(super) fn sees_normals(&self) -> bool {
+        match self {
+            Self::Solid(_) => false,
+            Self::Colors(pattern, _) | Self::Image(pattern, _) => pattern.kind.sees_normals(),
+            Self::Pigments(pattern, pigments) => {
+                pattern.kind.sees_normals() || pigments.iter().any(Self::sees_normals)
+            }
+            Self::Uv(pigment) => pigment.sees_normals(),
+        }
+    }
+
     /// Lets all light through unchanged that was filtered, but for that of pictures.
     pub fn unfilter(&mut self) {
         let unfilter = |c: &mut Color| {
@@ -80,7 +148,12 @@ impl Pigment {
 
 #[inline]
 fn blended(pattern: &Pattern, colors: &Blend<Color>, point: DVec3, context: &Context) -> Color {
-    match pattern.pick_at_warped(colors, pattern.warp(point), context) {
+    picked(pattern.pick_at_warped(colors, pattern.warp(point), context))
+}
+
+#[inline]
+fn picked(pick: Pick<'_, Color>) -> Color {
+    match pick {
         Pick::One(color) => *color,
         Pick::Two(lower, upper, share) => lower.lerp(*upper, share),
         Pick::All(all) => weighted_sum(all.iter().copied()),
@@ -88,11 +161,20 @@ fn blended(pattern: &Pattern, colors: &Blend<Color>, point: DVec3, context: &Con
 }
 
 fn weighted_sum(items: impl Iterator<Item = (f32, Color)>) -> Color {
-    items.fold(Color::default(), |sum, (w, c)| Color {
-        rgb: sum.rgb + w * c.rgb,
-        filter: sum.filter + w * c.filter,
-        transmit: sum.transmit + w * c.transmit,
-    })
+    items.fold(Color::default(), |sum, (weight, color)| plus(sum, weight, color))
+}
+
+fn plus(sum: Color, weight: f32, color: Color) -> Color {
+    Color {
+        rgb: sum.rgb + weight * color.rgb,
+        filter: sum.filter + weight * color.filter,
+        transmit: sum.transmit + weight * color.transmit,
+    }
+}
+
+/// Lookups at (u, v, 0).
+fn uv_points(contexts: [&Context; LANES]) -> Points {
+    contexts.map(Context::uv_point).into()
 }
 
 #[cfg(test)]
