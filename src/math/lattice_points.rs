@@ -7,8 +7,7 @@
 use super::lanes::{Lanes, Work, dispatch};
 use super::lattice::{Cell, Scaling, Sides, rows, slopes};
 use super::noise_table::NOISE_TABLE;
-use super::points::LANES;
-use super::{DVec3, Points};
+use super::{DVec3, LANES, Points};
 use bytemuck::cast;
 use pulp::f64x4;
 

@@ -31,7 +31,7 @@ pub use error_bound::{dot_error, gamma, transformed_point_error};
 pub use floor::{floor, fraction, modulo, round, round_to_even};
 pub use glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
 pub use mersenne_twister::MersenneTwister;
-pub use points::{LANES, Points};
+pub use points::{LANES, Points, each_lane};
 pub use ray::{Range, Ray};
 pub use roots::{MAX_DEGREE, Roots, discriminant, quadratic_roots, root_bound, roots_in};
 pub use transform::{SingularMatrix, Transform};

@@ -7,8 +7,7 @@
 //! Source: sections 5.2 to 5.5 of the function facts, measured on POV-Ray 3.7.0.10.
 
 use super::lattice::{self, Scaling};
-use super::points::LANES;
-use super::{DVec3, Points, floor, lattice_points};
+use super::{DVec3, LANES, Points, each_lane, floor, lattice_points};
 use std::sync::LazyLock;
 use wide::f64x2;
 
@@ -222,7 +221,7 @@ pub fn turbulence_of_points(generator: NoiseGenerator, octaves: Octaves, points:
     let mut room = [[0.0; LANES]; MAX_OCTAVES];
     let noises = &mut room[..octaves.count()];
     fill_points(generator, points, f64::from(octaves.lambda), noises);
-    std::array::from_fn(|i| sum(generator, octaves, noises.iter().map(|lanes| lanes[i])))
+    each_lane(|i| sum(generator, octaves, noises.iter().map(|lanes| lanes[i])))
 }
 
 /// The sum of octaves.

@@ -7,6 +7,13 @@ use pulp::f64x4;
 /// How many points are worked on at once.
 pub const LANES: usize = 4;
 
+/// What a function makes of each lane. Written out: `array::map` and `array::from_fn` are not always inlined, and hand
+/// everything over by memory then.
+#[inline(always)]
+pub fn each_lane<T>(value: impl Fn(usize) -> T) -> [T; LANES] {
+    [value(0), value(1), value(2), value(3)]
+}
+
 /// Four points, a coordinate of all four side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Points {
@@ -25,14 +32,14 @@ impl Points {
     /// What a function makes of each point.
     #[inline(always)]
     pub fn map<T>(&self, value: impl Fn(DVec3) -> T) -> [T; LANES] {
-        std::array::from_fn(|i| value(self.lane(i)))
+        each_lane(|i| value(self.lane(i)))
     }
 
     /// What a function of an axis makes of each coordinate along it.
     #[inline(always)]
     #[must_use]
     pub fn map_coordinates(&self, value: impl Fn(usize, f64) -> f64) -> Self {
-        let along = |axis: usize| std::array::from_fn(|i| value(axis, self.coordinates[axis][i]));
+        let along = |axis: usize| each_lane(|i| value(axis, self.coordinates[axis][i]));
         Self { coordinates: [along(0), along(1), along(2)] }
     }
 
@@ -40,28 +47,28 @@ impl Points {
     #[inline(always)]
     #[must_use]
     pub fn moved(&self, factor: DVec3, by: &Self) -> Self {
-        let along = |axis: usize| {
-            std::array::from_fn(|i| self.coordinates[axis][i] + factor[axis] * by.coordinates[axis][i])
-        };
+        let along =
+            |axis: usize| each_lane(|i| self.coordinates[axis][i] + factor[axis] * by.coordinates[axis][i]);
         Self { coordinates: [along(0), along(1), along(2)] }
     }
 
     /// As lanes, by axis.
     #[inline(always)]
     pub(crate) fn lanes(&self) -> [f64x4; 3] {
-        self.coordinates.map(cast)
+        let [x, y, z] = self.coordinates;
+        [cast(x), cast(y), cast(z)]
     }
 
     /// From lanes, by axis.
     #[inline(always)]
-    pub(crate) fn from_lanes(lanes: [f64x4; 3]) -> Self {
-        Self { coordinates: lanes.map(cast) }
+    pub(crate) fn from_lanes([x, y, z]: [f64x4; 3]) -> Self {
+        Self { coordinates: [cast(x), cast(y), cast(z)] }
     }
 }
 
 impl From<[DVec3; LANES]> for Points {
     #[inline(always)]
-    fn from(points: [DVec3; LANES]) -> Self {
-        Self { coordinates: std::array::from_fn(|axis| points.map(|p| p[axis])) }
+    fn from([a, b, c, d]: [DVec3; LANES]) -> Self {
+        Self { coordinates: [[a.x, b.x, c.x, d.x], [a.y, b.y, c.y, d.y], [a.z, b.z, c.z, d.z]] }
     }
 }

@@ -125,7 +125,7 @@ fn render_block<G: Gather>(tracer: &mut Tracer<'_>, options: &Options, block: &B
     let Some(antialias) = &options.antialias else {
         let pixels =
             (block.y..block.y + block.height).flat_map(|y| (block.x..block.x + block.width).map(move |x| [x as f64, y as f64]));
-        return tracer.camera_rays(pixels);
+        return tracer.camera_rays(&pixels.collect::<Vec<_>>());
     };
     if antialias.method == Method::Adaptive {
         return antialias.block(tracer, block);

@@ -211,7 +211,7 @@ impl<'w> Tracer<'w> {
             if seen.weight < world.settings.adc_bailout {
                 continue;
             }
-            let (point, texture_from_world) = lookup(world, surface, &place.context, hit, seen);
+            let (point, texture_from_world) = lookup(world, surface, hit, seen);
             let mut frame = Frame::new(texture_from_world.as_deref());
             let texture = world.texture(seen.texture);
             let shaded: G = self.shade_texture(texture, point, &mut frame, &mut place, true);
@@ -239,12 +239,11 @@ pub(super) fn context_at(surface: &Surface, direction: DVec3) -> Context {
 pub(super) fn lookup<'w>(
     world: &'w World,
     surface: &Surface,
-    context: &Context,
     hit: &Hit,
     seen: &TextureRef,
 ) -> (DVec3, Option<Cow<'w, Transform>>) {
     if surface.uv_mapping {
-        return (context.uv_point(), None);
+        return (surface.uv.lookup_point(), None);
     }
     let texture_from_world = world.geometry.texture_from_world(hit, seen);
     (texture_from_world.point(surface.point), Some(texture_from_world))

@@ -74,7 +74,7 @@ impl<T> Blend<T> {
     /// The last entry at and above its value; else the first entry not below the value, alone
     /// if it is the first or lies exactly there, blended with its predecessor otherwise. NaN
     /// takes the first. Source: pattern facts, section 11 (measured).
-    #[inline]
+    #[inline(always)]
     pub fn pick(&self, value: f64) -> Pick<'_, T> {
         let (values, items, sorted) = match self {
             Self::Average(all) => return Pick::All(all),

@@ -2,7 +2,7 @@
 
 use super::{Context, InnerTurbulence, Pattern, PatternKind, Pigment, crackle, noise_formula};
 use crate::math::noise::{noise, noise_of_points, turbulence, turbulence_of_points, vector_noise};
-use crate::math::{DVec3, LANES, Points, floor, fraction, gray, modulo, round};
+use crate::math::{DVec3, LANES, Points, Uv, each_lane, floor, fraction, gray, modulo, round};
 use std::f64::consts::{PI, TAU};
 
 /// POV-Ray's offset that keeps exact borders on the upper cell.
@@ -15,26 +15,32 @@ const TRIANGLE_HEIGHT: f64 = 0.866_025_403_784_438_6;
 pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
     match &pattern.kind {
         PatternKind::None => 0.0,
-        PatternKind::Boxed => falling(p.abs().max_element()),
+        PatternKind::Boxed => boxed(p),
         PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => noise(*generator, p),
         PatternKind::Checker => checker(p),
         PatternKind::Gradient(direction) => wrapped(p.dot(*direction)),
-        PatternKind::Onion => fraction(p.length()),
-        PatternKind::Planar => falling(p.y.abs()),
-        PatternKind::Spherical => falling(p.length()),
+        PatternKind::Onion => onion(p),
+        PatternKind::Planar => planar(p),
+        PatternKind::Spherical => spherical(p),
         _ => elaborate(pattern, p.x, p.y, p.z, context),
     }
 }
 
-/// The raw values at four points, each with its context.
-pub(super) fn values(pattern: &Pattern, points: &Points, contexts: [&Context; LANES]) -> [f64; LANES] {
+/// The raw values at four points, each with its surface coordinates, of a pattern that does not see normals.
+pub(super) fn values(pattern: &Pattern, points: &Points, uvs: &[Uv; LANES]) -> [f64; LANES] {
     match &pattern.kind {
         PatternKind::Agate { generator, octaves, amount } => {
             let turbulences = turbulence_of_points(*generator, *octaves, points);
-            std::array::from_fn(|i| noise_formula::agate(*amount, turbulences[i], points.lane(i)))
+            each_lane(|i| noise_formula::agate(*amount, turbulences[i], points.lane(i)))
         }
+        PatternKind::Boxed => points.map(boxed),
         PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => noise_of_points(*generator, points),
-        PatternKind::Dents(generator) => noise_of_points(*generator, points).map(dents),
+        PatternKind::Checker => points.map(checker),
+        PatternKind::Dents(generator) => {
+            let noises = noise_of_points(*generator, points);
+            each_lane(|i| dents(noises[i]))
+        }
+        PatternKind::Gradient(direction) => points.map(|p| wrapped(p.dot(*direction))),
         PatternKind::Granite(generator) => noise_formula::granite_of_points(*generator, points),
         PatternKind::Marble(inner) => with_turbulence(inner.as_deref(), points, noise_formula::marble),
         PatternKind::Spiral1(arms, inner) => {
@@ -45,7 +51,21 @@ pub(super) fn values(pattern: &Pattern, points: &Points, contexts: [&Context; LA
         }
         PatternKind::Wood(Some(inner)) => noise_formula::wood_of_points(inner, points),
         PatternKind::Wrinkles(generator) => noise_formula::wrinkles_of_points(*generator, points),
-        _ => std::array::from_fn(|i| value(pattern, points.lane(i), contexts[i])),
+        PatternKind::Onion => points.map(onion),
+        PatternKind::Planar => points.map(planar),
+        PatternKind::Spherical => points.map(spherical),
+        PatternKind::Pigment(pigment) => {
+            let colors = pigment.colors_or_clear(points, uvs);
+            each_lane(|i| f64::from(gray(colors[i].rgb)))
+        }
+        _ => {
+            let context = Context::default();
+            let mut values = [0.0; LANES];
+            for (i, raw) in values.iter_mut().enumerate() {
+                *raw = value(pattern, points.lane(i), &context);
+            }
+            values
+        }
     }
 }
 
@@ -57,7 +77,7 @@ fn with_turbulence(
     formula: impl Fn(f64, DVec3) -> f64,
 ) -> [f64; LANES] {
     let shifts = inner.map_or([0.0; LANES], |t| t.scalar_of_points(points));
-    std::array::from_fn(|i| formula(shifts[i], points.lane(i)))
+    each_lane(|i| formula(shifts[i], points.lane(i)))
 }
 
 /// The raw value of a formula that is worth a call, at (x, y, z): a point would go through memory, where it is
@@ -133,6 +153,22 @@ impl Pattern {
 /// Dents: noise of which only the heights stand out.
 fn dents(noise: f64) -> f64 {
     noise.powi(3)
+}
+
+fn boxed(p: DVec3) -> f64 {
+    falling(p.abs().max_element())
+}
+
+fn onion(p: DVec3) -> f64 {
+    fraction(p.length())
+}
+
+fn planar(p: DVec3) -> f64 {
+    falling(p.y.abs())
+}
+
+fn spherical(p: DVec3) -> f64 {
+    falling(p.length())
 }
 
 /// 1 in the middle, 0 from distance 1 on.

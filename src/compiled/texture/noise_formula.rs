@@ -8,7 +8,7 @@ use crate::math::noise::{
     turbulence_of_points, vector_noise, vector_turbulence, vector_turbulence_of_points,
 };
 use crate::math::sine::sines;
-use crate::math::{DVec3, LANES, Points, floor, fraction, full_turn_angle};
+use crate::math::{DVec3, LANES, Points, each_lane, floor, fraction, full_turn_angle};
 use bytemuck::cast;
 use std::f64::consts::TAU;
 
@@ -19,14 +19,14 @@ fn sine(turns: f64) -> f64 {
 
 /// Granite: six octaves of folded noise.
 pub(super) fn granite(generator: NoiseGenerator, p: DVec3) -> f64 {
-    granite_sum(generator, noises(generator, GRANITE_SCALE * p, 2.0))
+    granite_sum(generator, noises::<GRANITE_OCTAVES>(generator, GRANITE_SCALE * p, 2.0).into_iter())
 }
 
 /// The values of granite at four points.
 pub(super) fn granite_of_points(generator: NoiseGenerator, points: &Points) -> [f64; LANES] {
     let scaled = points.map_coordinates(|_, c| GRANITE_SCALE * c);
     let noises = noises_of_points::<GRANITE_OCTAVES>(generator, &scaled, 2.0);
-    std::array::from_fn(|i| granite_sum(generator, noises.map(|lanes| lanes[i])))
+    each_lane(|i| granite_sum(generator, noises.iter().map(|lanes| lanes[i])))
 }
 
 /// Granite's first frequency.
@@ -34,7 +34,7 @@ const GRANITE_SCALE: f64 = 4.0;
 const GRANITE_OCTAVES: usize = 6;
 
 #[inline(always)]
-fn granite_sum(generator: NoiseGenerator, noises: [f64; GRANITE_OCTAVES]) -> f64 {
+fn granite_sum(generator: NoiseGenerator, noises: impl Iterator<Item = f64>) -> f64 {
     let fold = |n: f64| match generator {
         NoiseGenerator::Original => (0.5 - n).abs(),
         _ => (1.0 - 2.0 * n).abs().min(0.5),
@@ -44,19 +44,19 @@ fn granite_sum(generator: NoiseGenerator, noises: [f64; GRANITE_OCTAVES]) -> f64
 
 /// Wrinkles: ten octaves of noise.
 pub(super) fn wrinkles(generator: NoiseGenerator, p: DVec3) -> f64 {
-    wrinkles_sum(generator, noises(generator, p, 2.0))
+    wrinkles_sum(generator, noises::<WRINKLES_OCTAVES>(generator, p, 2.0).into_iter())
 }
 
 /// The values of wrinkles at four points.
 pub(super) fn wrinkles_of_points(generator: NoiseGenerator, points: &Points) -> [f64; LANES] {
     let noises = noises_of_points::<WRINKLES_OCTAVES>(generator, points, 2.0);
-    std::array::from_fn(|i| wrinkles_sum(generator, noises.map(|lanes| lanes[i])))
+    each_lane(|i| wrinkles_sum(generator, noises.iter().map(|lanes| lanes[i])))
 }
 
 const WRINKLES_OCTAVES: usize = 10;
 
 #[inline(always)]
-fn wrinkles_sum(generator: NoiseGenerator, noises: [f64; WRINKLES_OCTAVES]) -> f64 {
+fn wrinkles_sum(generator: NoiseGenerator, noises: impl Iterator<Item = f64>) -> f64 {
     let fold = |n: f64| match generator {
         NoiseGenerator::Original => n,
         _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
@@ -71,15 +71,13 @@ pub(super) fn wrinkles_bump(p: DVec3) -> DVec3 {
 
 /// The sum of terms, each with half the weight of the one before.
 #[inline(always)]
-fn halving<const COUNT: usize>(terms: [f64; COUNT]) -> f64 {
-    let mut weight = 2.0;
-    terms
-        .into_iter()
-        .map(|term| {
-            weight *= 0.5;
-            term * weight
-        })
-        .sum()
+fn halving(terms: impl Iterator<Item = f64>) -> f64 {
+    let mut weight = 1.0;
+    terms.fold(0.0, |sum, term| {
+        let weighted = term * weight;
+        weight *= 0.5;
+        sum + weighted
+    })
 }
 
 /// Agate: bands along z, shifted by `amount` times a turbulence.
@@ -108,7 +106,8 @@ impl InnerTurbulence {
 
     /// As a number at each of four points.
     pub(super) fn scalar_of_points(&self, points: &Points) -> [f64; LANES] {
-        turbulence_of_points(self.generator, self.octaves, points).map(|t| self.amount.x * t)
+        let turbulences = turbulence_of_points(self.generator, self.octaves, points);
+        each_lane(|i| self.amount.x * turbulences[i])
     }
 }
 
@@ -129,7 +128,7 @@ pub(super) fn wood(inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
 /// The values of wobbling wood at four points.
 pub(super) fn wood_of_points(inner: &InnerTurbulence, points: &Points) -> [f64; LANES] {
     let turbulences = vector_turbulence_of_points(inner.octaves, points);
-    std::array::from_fn(|i| ring(inner.amount, points.lane(i), turbulences.lane(i)))
+    each_lane(|i| ring(inner.amount, points.lane(i), turbulences.lane(i)))
 }
 
 /// A ring of wood that turbulence makes wobble.

@@ -194,10 +194,16 @@ impl Normal {
 
     /// Weighted sum of values around the point: two fifteenths of the gradient for smooth patterns.
     fn slope(&self, pattern: &Pattern, slopes: Option<&Blend<SlopeEntry>>, p: DVec3, context: &Context) -> DVec3 {
-        let samples = Points::from(SAMPLES.map(|e| p + self.accuracy * e));
-        let values = pattern.values_at_warped(&samples, [context; LANES]);
-        let heights = values.map(|value| slopes.map_or(value, |map| slope_height(map, value)));
-        let sum: DVec3 = heights.into_iter().zip(SAMPLES).map(|(height, e)| height * e).sum();
+        let [a, b, c, d] = SAMPLES;
+        let at = |e: DVec3| p + self.accuracy * e;
+        let samples = Points::from([at(a), at(b), at(c), at(d)]);
+        let values = if pattern.kind.sees_normals() {
+            samples.map(|p| pattern.value_at_warped(p, context))
+        } else {
+            pattern.values_at_warped(&samples, &[context.uv; LANES])
+        };
+        let height = |value: f64| slopes.map_or(value, |map| slope_height(map, value));
+        let sum: DVec3 = values.iter().zip(SAMPLES).map(|(value, e)| height(*value) * e).sum();
         5.0 * self.amount * (0.02 / self.accuracy) * sum
     }
 }

@@ -7,7 +7,7 @@ use super::{
 use crate::compiled::geometry::Geometry;
 use crate::function::Function;
 use crate::math::noise::{NoiseGenerator, Octaves};
-use crate::math::{DVec3, LANES, Points, Uv, fraction, round_to_even};
+use crate::math::{DVec3, LANES, Points, Uv, each_lane, fraction, round_to_even};
 use std::sync::Arc;
 
 /// A value for each point.
@@ -127,7 +127,7 @@ impl Context {
 
     /// A lookup at (u, v, 0).
     pub fn uv_point(&self) -> DVec3 {
-        self.uv.get().extend(0.0)
+        self.uv.lookup_point()
     }
 }
 
@@ -166,14 +166,18 @@ impl Pattern {
 
     /// [`warp`](Self::warp) for four points.
     pub fn warp_points(&self, points: &Points) -> Points {
-        let moved = match &*self.warps {
-            [] => *points,
-            [first, others @ ..] => others.iter().fold(first.apply_to_points(points), |p, warp| warp.apply_to_points(&p)),
-        };
-        moved.map_coordinates(|_, c| {
+        let limited = |c: f64| {
             let c = if c > -POV_FARTHEST { c } else { -POV_FARTHEST };
             if c < POV_FARTHEST { c } else { POV_FARTHEST }
-        })
+        };
+        if let [Warp::Scaling { factor, offset }] = &*self.warps {
+            return points.map_coordinates(|axis, c| limited(factor[axis] * c + offset[axis]));
+        }
+        let mut moved = *points;
+        for warp in &self.warps {
+            moved = warp.apply_to_points(&moved);
+        }
+        moved.map_coordinates(|_, c| limited(c))
     }
 
     /// The value at a point of the containing space.
@@ -189,9 +193,17 @@ impl Pattern {
         shape(raw, self.frequency, self.phase, self.wave)
     }
 
-    /// The values at four points that [`warp_points`](Self::warp_points) gave, each with its context.
-    pub fn values_at_warped(&self, points: &Points, contexts: [&Context; LANES]) -> [f64; LANES] {
-        formula::values(self, points, contexts).map(|raw| shape(raw, self.frequency, self.phase, self.wave))
+    /// The values at four points that [`warp_points`](Self::warp_points) gave, each with its surface coordinates, if the
+    /// pattern does not [see normals](PatternKind::sees_normals).
+    pub fn values_at_warped(&self, points: &Points, uvs: &[Uv; LANES]) -> [f64; LANES] {
+        let raw = formula::values(self, points, uvs);
+        let as_they_are = self.frequency == 0.0 || (self.frequency == 1.0 && self.phase == 0.0);
+        let values = if as_they_are { raw } else { each_lane(|i| raw[i] * self.frequency + self.phase) };
+        // Most values need no more.
+        if matches!(self.wave, Wave::Ramp) && values.iter().all(|v| (0.0..POV_PERIOD).contains(v)) {
+            return values;
+        }
+        raw.map(|raw| shape(raw, self.frequency, self.phase, self.wave))
     }
 
     /// What stands at a point that [`warp`](Self::warp) gave.
