@@ -52,13 +52,40 @@ impl<'w> Tracer<'w> {
     /// The light through image positions.
     pub(super) fn camera_rays<G: Gather>(&mut self, positions: &[[f64; 2]]) -> Vec<G> {
         let mut found = Vec::with_capacity(positions.len());
-        for some in positions.chunks(if self.side_by_side { LANES } else { 1 }) {
-            match some {
-                [[x, y]] => found.push(self.camera_ray(*x, *y)),
-                _ => self.follow_all(some, None, &mut found),
+        positions.chunks(LANES).for_each(|some| self.follow_some(some, &mut found));
+        found
+    }
+
+    /// The light through a grid of image positions, row by row, the first of which is given.
+    pub(super) fn camera_grid<G: Gather>(&mut self, columns: usize, rows: usize, [left, top]: [f64; 2]) -> Vec<G> {
+        let mut grid = vec![G::default(); columns * rows];
+        let mut found = Vec::with_capacity(LANES);
+        // Squares are nearer together than rows are.
+        for j in (0..rows).step_by(2) {
+            let (y, height) = (top + j as f64, (rows - j).min(2));
+            for i in (0..columns).step_by(2) {
+                let (x, width) = (left + i as f64, (columns - i).min(2));
+                let square = [[x, y], [x + 1.0, y], [x, y + 1.0], [x + 1.0, y + 1.0]];
+                match (width, height) {
+                    (2, 2) => self.follow_some(&square, &mut found),
+                    (1, 2) => self.follow_some(&[square[0], square[2]], &mut found),
+                    _ => self.follow_some(&square[..width], &mut found),
+                }
+                for (k, found) in found.drain(..).enumerate() {
+                    grid[(j + k / width) * columns + i + k % width] = found;
+                }
             }
         }
-        found
+        grid
+    }
+
+    /// Adds the light through at most four image positions.
+    fn follow_some<G: Gather>(&mut self, positions: &[[f64; 2]], found: &mut Vec<G>) {
+        if self.side_by_side && positions.len() == LANES {
+            self.follow_all(positions, None, found);
+        } else {
+            found.extend(positions.iter().map(|[x, y]| self.camera_ray::<G>(*x, *y)));
+        }
     }
 
     /// Follows the rays through image positions, and shades them when all of them have met something.

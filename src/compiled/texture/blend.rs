@@ -85,7 +85,9 @@ impl<T> Blend<T> {
             return Pick::One(&items[last]);
         }
         // The last entry lies above the value, so there is a first such entry unless the value is NaN.
-        let j = if sorted && values.len() > FEW {
+        let j = if let [first, _] = **values {
+            usize::from(value > first)
+        } else if sorted && values.len() > FEW {
             values.partition_point(|e| *e < value)
         } else {
             values.iter().position(|e| *e >= value).unwrap_or(0)
