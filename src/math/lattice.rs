@@ -94,10 +94,8 @@ impl<const ABSOLUTE: bool> Work for VectorSum<ABSOLUTE> {
         // cell too many.
         let mut next = Cell::around(simd, point);
         for _ in 0..self.count {
-            let cell = std::mem::replace(
-                &mut next,
-                Cell::around(simd, simd.mul_f64s(point, simd.splat_f64s(frequency))),
-            );
+            let cell =
+                std::mem::replace(&mut next, Cell::around(simd, simd.mul_f64s(point, simd.splat_f64s(frequency))));
             let noise = cell.vector_noise(simd);
             let noise = if ABSOLUTE { simd.abs_f64s(noise) } else { noise };
             sum = simd.add_f64s(sum, simd.mul_f64s(simd.splat_f64s(weight), noise));
@@ -292,31 +290,25 @@ mod tests {
 
     const SCALING: Scaling = Scaling { shift: 1.1, factor: 0.45 };
 
-    /// Every noise of a series, with and without AVX2, has the bits of the plain formula.
-    fn check(series: Series, count: usize) {
-        let points: Vec<_> = std::iter::successors(Some(1.0), |f| Some(f * series.factor))
-            .take(count)
-            .map(|frequency| series.point * frequency)
-            .collect();
+    /// Noises at a point, at `factor` times it and so on, with and without AVX2, have the bits of the plain formula.
+    fn check(point: DVec3, factor: f64, count: usize) {
+        let frequencies = std::iter::successors(Some(1.0), |f| Some(f * factor)).take(count);
+        let points: Vec<_> = frequencies.map(|frequency| point * frequency).collect();
         let expected: Vec<_> = points.iter().map(|p| plain(*p)).collect();
-        let (mut noises, mut scalar) = (vec![0.0; count], vec![0.0; count]);
-        series.noises(&SCALING, &mut noises);
-        Noises { series, scaling: &SCALING, noises: &mut scalar }.run(Scalar256b);
-        for i in 0..count {
-            let sums = [dispatch(Noise(points[i])), Noise(points[i]).run(Scalar256b)];
-            assert!(sums.iter().all(|n| *n == expected[i].x), "{series:?}: {sums:?} for {}", expected[i].x);
-            let scaled = ((expected[i].x + 1.1) * 0.45).clamp(0.0, 1.0);
-            let all = [noise(&SCALING, points[i]), noises[i], scalar[i]];
-            assert!(all.iter().all(|n| *n == scaled), "{series:?}: {all:?} for {scaled}");
-            let vectors = [vector_noise(points[i]), VectorNoise(points[i]).run(Scalar256b)];
-            assert!(vectors.iter().all(|v| *v == expected[i]), "{series:?}: {vectors:?} for {}", expected[i]);
+        for (p, expected) in points.iter().zip(&expected) {
+            let scaled = ((expected.x + 1.1) * 0.45).clamp(0.0, 1.0);
+            assert_eq!(noise(&SCALING, *p), scaled, "{p}");
+            let sums = [dispatch(Noise(*p)), Noise(*p).run(Scalar256b)];
+            assert!(sums.iter().all(|n| *n == expected.x), "{p}: {sums:?} for {}", expected.x);
+            let vectors = [vector_noise(*p), VectorNoise(*p).run(Scalar256b)];
+            assert!(vectors.iter().all(|v| v == expected), "{p}: {vectors:?} for {expected}");
         }
         let ratio = f64::from(0.55_f32);
         let weights = std::iter::successors(Some(1.0), |w| Some(w * ratio));
         let sum: DVec3 = expected.iter().zip(weights.clone()).map(|(v, w)| w * *v).sum();
         let absolute: DVec3 = expected.iter().zip(weights).map(|(v, w)| w * v.abs()).sum();
-        assert!(series.vector_sum::<false>(count, ratio) == sum, "{series:?}");
-        assert!(VectorSum::<true> { series, count, ratio }.run(Scalar256b) == absolute, "{series:?}");
+        assert_eq!(vector_sum::<false>(point, factor, count, ratio), sum, "{point}, {factor}");
+        assert_eq!(VectorSum::<true> { point, factor, count, ratio }.run(Scalar256b), absolute, "{point}, {factor}");
     }
 
     #[test]
@@ -326,11 +318,11 @@ mod tests {
         for i in 0..4000 {
             let size = 10.0_f64.powi(i % 8 - 2);
             let point = size * DVec3::new(next(), next(), next());
-            check(Series { point, factor: 2.0 + next() }, 1 + i as usize % MAX_OCTAVES);
+            check(point, 2.0 + next(), 1 + i as usize % MAX_OCTAVES);
         }
         // Whole and nearly whole coordinates, where the cell changes.
         for c in [0.0, -0.0, 1.0, -1.0, -1e-10, -1e-11, 0.5, -4096.0, 1e5] {
-            check(Series { point: DVec3::new(c, 2.0 * c, -c), factor: 2.0 }, 10);
+            check(DVec3::new(c, 2.0 * c, -c), 2.0, 10);
         }
     }
 }

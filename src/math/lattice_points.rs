@@ -278,3 +278,52 @@ fn entries(row: u32, component: usize) -> &'static [f64; 4] {
 fn everywhere<S: Lanes>(simd: S, [a, b, c, d]: &[f64; 4]) -> [f64x4; 4] {
     [simd.splat_f64s(*a), simd.splat_f64s(*b), simd.splat_f64s(*c), simd.splat_f64s(*d)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::lattice::{noise, vector_sum};
+    use crate::math::noise::MAX_OCTAVES;
+    use crate::math::{MersenneTwister, each_lane};
+    use pulp::Scalar256b;
+
+    static SCALING: Scaling = Scaling { shift: 1.1, factor: 0.45 };
+
+    /// Four points, with and without AVX2, have the bits that each has by itself; and so has a point at many
+    /// frequencies.
+    fn check(points: &Points, factor: f64) {
+        let mut noises = [[[0.0; LANES]; MAX_OCTAVES]; 2];
+        let [fast, plain] = &mut noises;
+        series_noises(&SCALING, points, factor, fast);
+        SeriesNoises { scaling: &SCALING, points, factor, noises: plain }.run(Scalar256b);
+        let frequencies: Vec<_> = std::iter::successors(Some(1.0), |f| Some(f * factor)).take(MAX_OCTAVES).collect();
+        for (k, frequency) in frequencies.iter().enumerate() {
+            let expected = points.map(|p| noise(&SCALING, p * *frequency));
+            assert_eq!(noises.map(|all| all[k]), [expected; 2], "{points:?} times {frequency}");
+        }
+        let mut alone = [[0.0; MAX_OCTAVES]; 2];
+        let [fast, plain] = &mut alone;
+        noises_of_one(&SCALING, points.lane(0), factor, fast);
+        NoisesOfOne { scaling: &SCALING, point: points.lane(0), factor, noises: plain }.run(Scalar256b);
+        assert_eq!(alone, noises.map(|all| all.map(|lanes| lanes[0])), "{points:?}, {factor}");
+        let (count, ratio) = (6, 0.55);
+        let expected = Points::from(each_lane(|i| vector_sum::<false>(points.lane(i), factor, count, ratio)));
+        assert_eq!(vector_sums(points, factor, count, ratio), expected, "{factor}");
+        assert_eq!(VectorSums { points, factor, count, ratio }.run(Scalar256b), expected, "{factor}");
+    }
+
+    #[test]
+    fn four_points_have_the_bits_of_each() {
+        let mut random = MersenneTwister::default();
+        let mut next = || 2.0 * random.next_f64() - 1.0;
+        for i in 0..2000 {
+            let (size, step) = (10.0_f64.powi(i % 5 - 2), 10.0_f64.powi(i % 7 - 5));
+            let first = size * DVec3::new(next(), next(), next());
+            let side = step * DVec3::new(next(), next(), next());
+            check(&Points::from(each_lane(|k| first + k as f64 * side)), 2.0 + next());
+        }
+        // On both sides of where the cell changes.
+        let edges = [0.0, -1e-11, -1e-10, -1e-9].map(|c| DVec3::new(c, 1.0 + c, -1.0 - c));
+        check(&edges.into(), 2.0);
+    }
+}

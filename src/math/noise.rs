@@ -323,6 +323,22 @@ mod tests {
     }
 
     #[test]
+    fn four_points_have_the_bits_of_each() {
+        let octaves = Octaves { count: 7, lambda: 2.1, omega: 0.55 };
+        for step in [0.0, 0.003, 0.4, -70.0] {
+            let points = Points::from(each_lane(|i| DVec3::new(-0.3, 1.7, 0.2) + i as f64 * step * DVec3::NEG_X));
+            for generator in GENERATORS {
+                assert_eq!(noise_of_points(generator, &points), points.map(|p| noise(generator, p)));
+                let expected = points.map(|p| turbulence(generator, octaves, p));
+                assert_eq!(turbulence_of_points(generator, octaves, &points), expected, "{generator:?}, {step}");
+                let expected = points.map(|p| noises::<10>(generator, p, 2.0));
+                let found = noises_of_points::<10>(generator, &points, 2.0);
+                assert_eq!(each_lane(|i| found.map(|lanes| lanes[i])), expected, "{generator:?}, {step}");
+            }
+        }
+    }
+
+    #[test]
     fn turbulence_matches_the_binary() {
         let close = |v: DVec3, e: [f64; 3]| {
             assert!((v - DVec3::from(e)).abs().max_element() < 1e-15, "{v} for {e:?}");

@@ -29,10 +29,20 @@ impl Points {
         DVec3::new(x[i], y[i], z[i])
     }
 
+    /// By axis, those of all four points.
+    #[inline(always)]
+    pub fn coordinates(&self) -> [[f64; LANES]; 3] {
+        self.coordinates
+    }
+
     /// What a function makes of each point.
     #[inline(always)]
-    pub fn map<T>(&self, value: impl Fn(DVec3) -> T) -> [T; LANES] {
-        each_lane(|i| value(self.lane(i)))
+    pub fn map<T: Copy + Default>(&self, value: impl Fn(DVec3) -> T) -> [T; LANES] {
+        let mut values = [T::default(); LANES];
+        for (i, slot) in values.iter_mut().enumerate() {
+            *slot = value(self.lane(i));
+        }
+        values
     }
 
     /// What a function of an axis makes of each coordinate along it.
@@ -47,8 +57,7 @@ impl Points {
     #[inline(always)]
     #[must_use]
     pub fn moved(&self, factor: DVec3, by: &Self) -> Self {
-        let along =
-            |axis: usize| each_lane(|i| self.coordinates[axis][i] + factor[axis] * by.coordinates[axis][i]);
+        let along = |axis: usize| each_lane(|i| self.coordinates[axis][i] + factor[axis] * by.coordinates[axis][i]);
         Self { coordinates: [along(0), along(1), along(2)] }
     }
 

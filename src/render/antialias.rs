@@ -91,7 +91,9 @@ impl Antialias {
         pixels.splice(1..stride, tracer.camera_rays(&above));
         let beside: Vec<_> = (0..height).map(|j| [x - 1.0, y + j as f64]).collect();
         let inside = tracer.camera_grid(width, height, [x, y]);
-        for ((row, first), others) in pixels.chunks_mut(stride).skip(1).zip(tracer.camera_rays(&beside)).zip(inside.chunks(width)) {
+        for ((row, first), others) in
+            pixels.chunks_mut(stride).skip(1).zip(tracer.camera_rays(&beside)).zip(inside.chunks(width))
+        {
             row[0] = first;
             row[1..].clone_from_slice(others);
         }

@@ -4,8 +4,8 @@ use super::camera::RawRay;
 use super::focal_blur::Lens;
 use super::gather::{Gather, Term};
 use super::layers::Place;
-use super::neighbours::Neighbour;
 use super::lights::LightCache;
+use super::neighbours::Neighbour;
 use super::options::Options;
 use super::random::Random;
 use super::ray::{Inside, Interiors, Path, Radiance, Statistics};
@@ -161,12 +161,7 @@ impl<'w> Tracer<'w> {
 
     /// The light from what a ray met.
     #[inline(always)]
-    fn arrive<G: Gather>(
-        &mut self,
-        path: &Path,
-        met: Option<(&Hit, &Surface)>,
-        neighbour: Option<Neighbour<'_>>,
-    ) -> G {
+    fn arrive<G: Gather>(&mut self, path: &Path, met: Option<(&Hit, &Surface)>, neighbour: Option<Neighbour<'_>>) -> G {
         let mut found = G::default();
         let length = match met {
             Some((hit, surface)) => {

@@ -1,8 +1,10 @@
-//! The formulas of patterns: here those that need neither noise nor tables.
+//! The formulas of patterns: which is which, and those that need neither noise nor tables.
 
-use super::{Context, InnerTurbulence, Pattern, PatternKind, Pigment, crackle, noise_formula};
-use crate::math::noise::{noise, noise_of_points, turbulence, turbulence_of_points, vector_noise};
-use crate::math::{DVec3, LANES, Points, Uv, each_lane, floor, fraction, gray, modulo, round};
+use super::lookup::{AtPoint, AtPoints, Lookup};
+use super::noise_formula::GRANITE_SCALE;
+use super::{Context, InnerTurbulence, Pattern, PatternKind, crackle, noise_formula};
+use crate::math::noise::{noise, vector_noise};
+use crate::math::{DVec3, LANES, Points, Uv, floor, fraction, modulo, round};
 use std::f64::consts::{PI, TAU};
 
 /// POV-Ray's offset that keeps exact borders on the upper cell.
@@ -10,7 +12,7 @@ const CELL_OFFSET: f64 = 1e-10;
 /// Height of a triangle of side 1.
 const TRIANGLE_HEIGHT: f64 = 0.866_025_403_784_438_6;
 
-/// The raw value, before frequency and wave.
+/// The raw value, before frequency and wave. Formulas that are short are inlined.
 #[inline(always)]
 pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
     match &pattern.kind {
@@ -18,7 +20,7 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
         PatternKind::Boxed => boxed(p),
         PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => noise(*generator, p),
         PatternKind::Checker => checker(p),
-        PatternKind::Gradient(direction) => wrapped(p.dot(*direction)),
+        PatternKind::Gradient(direction) => gradient(p, *direction),
         PatternKind::Onion => onion(p),
         PatternKind::Planar => planar(p),
         PatternKind::Spherical => spherical(p),
@@ -26,112 +28,85 @@ pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
     }
 }
 
+/// The raw value of a formula that is worth a call.
+#[inline(never)]
+fn elaborate(pattern: &Pattern, x: f64, y: f64, z: f64, context: &Context) -> f64 {
+    raw(pattern, AtPoint { x, y, z, context })
+}
+
 /// The raw values at four points, each with its surface coordinates, of a pattern that does not see normals.
 pub(super) fn values(pattern: &Pattern, points: &Points, uvs: &[Uv; LANES]) -> [f64; LANES] {
+    raw(pattern, AtPoints { points, uvs })
+}
+
+/// The raw value wherever a pattern is looked up.
+#[inline(always)]
+fn raw<L: Lookup>(pattern: &Pattern, at: L) -> L::Values {
     match &pattern.kind {
+        PatternKind::None => at.map(|_| 0.0),
         PatternKind::Agate { generator, octaves, amount } => {
-            let turbulences = turbulence_of_points(*generator, *octaves, points);
-            each_lane(|i| noise_formula::agate(*amount, turbulences[i], points.lane(i)))
+            at.map_turbulence(*generator, *octaves, |turbulence, p| noise_formula::agate(*amount, turbulence, p))
         }
-        PatternKind::Boxed => points.map(boxed),
-        PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => noise_of_points(*generator, points),
-        PatternKind::Checker => points.map(checker),
-        PatternKind::Dents(generator) => {
-            let noises = noise_of_points(*generator, points);
-            each_lane(|i| dents(noises[i]))
+        PatternKind::Aoi => at.map_context(|_, context| angle_of_incidence(context)),
+        PatternKind::Boxed => at.map(boxed),
+        PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => at.map_noise(*generator, |noise| noise),
+        PatternKind::Brick { size, mortar, limit } => at.map(|p| brick(p, *size, *mortar, *limit)),
+        PatternKind::Cells => at.map(crackle::cells),
+        PatternKind::Checker => at.map(checker),
+        PatternKind::Crackle(crackle) => at.map(|p| crackle.value(p)),
+        PatternKind::Cubic => at.map(cubic),
+        PatternKind::Cylindrical => at.map(|p| falling(p.x.hypot(p.z))),
+        PatternKind::Density(file) => at.map(|p| file.value(p)),
+        PatternKind::Dents(generator) => at.map_noise(*generator, dents),
+        PatternKind::Fractal(fractal) => at.map(|p| fractal.value(p.x, p.y)),
+        PatternKind::Function(f) => at.map(|p| wrapped(f.at(p))),
+        PatternKind::Gradient(direction) => at.map(|p| gradient(p, *direction)),
+        PatternKind::Granite(generator) => {
+            at.map_noises(*generator, GRANITE_SCALE, |noises| noise_formula::granite(*generator, noises))
         }
-        PatternKind::Gradient(direction) => points.map(|p| wrapped(p.dot(*direction))),
-        PatternKind::Granite(generator) => noise_formula::granite_of_points(*generator, points),
-        PatternKind::Marble(inner) => with_turbulence(inner.as_deref(), points, noise_formula::marble),
+        PatternKind::Hexagon => at.map(|p| hexagon(p.x, p.z)),
+        PatternKind::Image(image, mapping) => at.map(|p| image.pattern_value(mapping, p)),
+        PatternKind::Leopard => at.map_sines(noise_formula::leopard),
+        PatternKind::Marble(inner) => shifted(at, inner.as_deref(), noise_formula::marble),
+        PatternKind::Material(image, mapping, n) => at.map(|p| image.material_index(mapping, p, *n) as f64),
+        PatternKind::Object(solid) => at.map(|p| f64::from(u8::from(solid.contains(p)))),
+        PatternKind::Onion => at.map(onion),
+        PatternKind::Pavement(pavement) => at.map(|p| pavement.value(p)),
+        PatternKind::Pigment(pigment) => at.map_pigment(pigment),
+        PatternKind::Planar => at.map(planar),
+        PatternKind::Quilted(control) => at.map(|p| noise_formula::quilted(*control, p)),
+        PatternKind::Radial => at.map(radial),
+        PatternKind::Ripples(sources) => at.map(|p| sources.ripples(pattern.frequency, pattern.phase, p)),
+        PatternKind::Slope(slope) => at.map_context(|p, context| slope.value(p, context)),
+        PatternKind::Spherical => at.map(spherical),
         PatternKind::Spiral1(arms, inner) => {
-            with_turbulence(inner.as_deref(), points, |shift, p| noise_formula::spiral(*arms, shift, p))
+            shifted(at, inner.as_deref(), |shift, p| noise_formula::spiral(*arms, shift, p))
         }
         PatternKind::Spiral2(arms, inner) => {
-            with_turbulence(inner.as_deref(), points, |shift, p| noise_formula::double_spiral(*arms, shift, p))
+            shifted(at, inner.as_deref(), |shift, p| noise_formula::double_spiral(*arms, shift, p))
         }
-        PatternKind::Wood(Some(inner)) => noise_formula::wood_of_points(inner, points),
-        PatternKind::Wrinkles(generator) => noise_formula::wrinkles_of_points(*generator, points),
-        PatternKind::Onion => points.map(onion),
-        PatternKind::Planar => points.map(planar),
-        PatternKind::Spherical => points.map(spherical),
-        PatternKind::Pigment(pigment) => {
-            let colors = pigment.colors_or_clear(points, uvs);
-            each_lane(|i| f64::from(gray(colors[i].rgb)))
-        }
-        _ => {
-            let context = Context::default();
-            let mut values = [0.0; LANES];
-            for (i, raw) in values.iter_mut().enumerate() {
-                *raw = value(pattern, points.lane(i), &context);
-            }
-            values
+        PatternKind::Square => at.map(square),
+        PatternKind::Tiling(tiling) => at.map(|p| tiling.value(p)),
+        PatternKind::Triangular => at.map(|p| triangular(p.x, p.z)),
+        PatternKind::Waves(sources) => at.map(|p| sources.waves(pattern.frequency, pattern.phase, p)),
+        PatternKind::Wood(None) => at.map(|p| p.x.hypot(p.y)),
+        PatternKind::Wood(Some(inner)) => at.map_vector_turbulence(inner.octaves, |turbulence, p| {
+            noise_formula::wobbling_wood(inner.amount, turbulence, p)
+        }),
+        PatternKind::Wrinkles(generator) => {
+            at.map_noises(*generator, 1.0, |noises| noise_formula::wrinkles(*generator, noises))
         }
     }
 }
 
-/// The values of a formula into which turbulence enters as a number.
+/// The value of a formula into which turbulence enters as a number, if there is any.
 #[inline(always)]
-fn with_turbulence(
-    inner: Option<&InnerTurbulence>,
-    points: &Points,
-    formula: impl Fn(f64, DVec3) -> f64,
-) -> [f64; LANES] {
-    let shifts = inner.map_or([0.0; LANES], |t| t.scalar_of_points(points));
-    each_lane(|i| formula(shifts[i], points.lane(i)))
-}
-
-/// The raw value of a formula that is worth a call, at (x, y, z): a point would go through memory, where it is
-/// written number by number and read in pairs, for which the processor waits. Formulas that are short are inlined for
-/// the same reason.
-#[inline(never)]
-fn elaborate(pattern: &Pattern, x: f64, y: f64, z: f64, context: &Context) -> f64 {
-    // One for each formula: so none of them goes through memory for the sake of another.
-    let p = || DVec3::new(x, y, z);
-    let shift = |inner: &Option<Box<InnerTurbulence>>| inner.as_ref().map_or(0.0, |t| t.scalar(p()));
-    match &pattern.kind {
-        PatternKind::Agate { generator, octaves, amount } => {
-            noise_formula::agate(*amount, turbulence(*generator, *octaves, p()), p())
+fn shifted<L: Lookup>(at: L, inner: Option<&InnerTurbulence>, formula: impl Fn(f64, DVec3) -> f64) -> L::Values {
+    match inner {
+        Some(inner) => {
+            at.map_turbulence(inner.generator, inner.octaves, |turbulence, p| formula(inner.amount.x * turbulence, p))
         }
-        PatternKind::Aoi => angle_of_incidence(context),
-        PatternKind::Brick { size, mortar, limit } => brick(p(), *size, *mortar, *limit),
-        PatternKind::Cells => crackle::cells(p()),
-        PatternKind::Crackle(crackle) => crackle.value(p()),
-        PatternKind::Cubic => cubic(p()),
-        PatternKind::Cylindrical => falling(x.hypot(z)),
-        PatternKind::Density(file) => file.value(p()),
-        PatternKind::Dents(generator) => dents(noise(*generator, p())),
-        PatternKind::Fractal(fractal) => fractal.value(x, y),
-        PatternKind::Function(f) => wrapped(f.at(p())),
-        PatternKind::Granite(generator) => noise_formula::granite(*generator, p()),
-        PatternKind::Hexagon => hexagon(x, z),
-        PatternKind::Image(image, mapping) => image.pattern_value(mapping, p()),
-        PatternKind::Leopard => noise_formula::leopard(p()),
-        PatternKind::Marble(inner) => noise_formula::marble(shift(inner), p()),
-        PatternKind::Material(image, mapping, n) => image.material_index(mapping, p(), *n) as f64,
-        PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p()))),
-        PatternKind::Pavement(pavement) => pavement.value(p()),
-        PatternKind::Pigment(pigment) => gray_at(pigment, p(), context),
-        PatternKind::Quilted(control) => noise_formula::quilted(*control, p()),
-        PatternKind::Radial => radial(p()),
-        PatternKind::Ripples(sources) => sources.ripples(pattern.frequency, pattern.phase, p()),
-        PatternKind::Slope(slope) => slope.value(p(), context),
-        PatternKind::Spiral1(arms, inner) => noise_formula::spiral(*arms, shift(inner), p()),
-        PatternKind::Spiral2(arms, inner) => noise_formula::double_spiral(*arms, shift(inner), p()),
-        PatternKind::Square => square(p()),
-        PatternKind::Tiling(tiling) => tiling.value(p()),
-        PatternKind::Triangular => triangular(x, z),
-        PatternKind::Waves(sources) => sources.waves(pattern.frequency, pattern.phase, p()),
-        PatternKind::Wood(inner) => noise_formula::wood(inner.as_deref(), p()),
-        PatternKind::Wrinkles(generator) => noise_formula::wrinkles(*generator, p()),
-        PatternKind::None
-        | PatternKind::Boxed
-        | PatternKind::Bozo(_)
-        | PatternKind::Bumps(_)
-        | PatternKind::Checker
-        | PatternKind::Gradient(_)
-        | PatternKind::Onion
-        | PatternKind::Planar
-        | PatternKind::Spherical => value(pattern, p(), context),
+        None => at.map(|p| formula(0.0, p)),
     }
 }
 
@@ -159,6 +134,10 @@ fn boxed(p: DVec3) -> f64 {
     falling(p.abs().max_element())
 }
 
+fn gradient(p: DVec3, direction: DVec3) -> f64 {
+    wrapped(p.dot(direction))
+}
+
 fn onion(p: DVec3) -> f64 {
     fraction(p.length())
 }
@@ -184,10 +163,6 @@ fn wrapped(v: f64) -> f64 {
 fn angle_of_incidence(context: &Context) -> f64 {
     let normal = context.shading_normal().normalize_or_zero();
     normal.dot(context.direction).clamp(-1.0, 1.0).acos() / PI
-}
-
-fn gray_at(pigment: &Pigment, p: DVec3, context: &Context) -> f64 {
-    f64::from(gray(pigment.color_or_clear(p, context).rgb))
 }
 
 fn checker(p: DVec3) -> f64 {

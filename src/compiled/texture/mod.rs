@@ -19,6 +19,7 @@ mod finish;
 mod formula;
 mod fractal;
 mod image;
+mod lookup;
 mod noise_formula;
 mod normal;
 mod pattern;

@@ -3,12 +3,9 @@
 //! Source: sections 3, 4 and 14 of the pattern facts (measured).
 
 use crate::math::lanes::{Lanes, Work, dispatch};
-use crate::math::noise::{
-    Congruential, NoiseGenerator, Octaves, halving_vector_noises, noises, noises_of_points, turbulence,
-    turbulence_of_points, vector_noise, vector_turbulence, vector_turbulence_of_points,
-};
+use crate::math::noise::{Congruential, NoiseGenerator, Octaves, halving_vector_noises, vector_noise};
 use crate::math::sine::sines;
-use crate::math::{DVec3, LANES, Points, each_lane, floor, fraction, full_turn_angle};
+use crate::math::{DVec3, floor, fraction, full_turn_angle};
 use bytemuck::cast;
 use std::f64::consts::TAU;
 
@@ -17,51 +14,28 @@ fn sine(turns: f64) -> f64 {
     (TAU * turns).sin()
 }
 
-/// Granite: six octaves of folded noise.
-pub(super) fn granite(generator: NoiseGenerator, p: DVec3) -> f64 {
-    granite_sum(generator, noises::<GRANITE_OCTAVES>(generator, GRANITE_SCALE * p, 2.0).into_iter())
-}
-
-/// The values of granite at four points.
-pub(super) fn granite_of_points(generator: NoiseGenerator, points: &Points) -> [f64; LANES] {
-    let scaled = points.map_coordinates(|_, c| GRANITE_SCALE * c);
-    let noises = noises_of_points::<GRANITE_OCTAVES>(generator, &scaled, 2.0);
-    each_lane(|i| granite_sum(generator, noises.iter().map(|lanes| lanes[i])))
-}
-
 /// Granite's first frequency.
-const GRANITE_SCALE: f64 = 4.0;
-const GRANITE_OCTAVES: usize = 6;
+pub(super) const GRANITE_SCALE: f64 = 4.0;
 
-#[inline(always)]
-fn granite_sum(generator: NoiseGenerator, noises: impl Iterator<Item = f64>) -> f64 {
+/// Granite: six octaves of folded noise.
+pub(super) fn granite(generator: NoiseGenerator, noises: [f64; 6]) -> f64 {
     let fold = |n: f64| match generator {
         NoiseGenerator::Original => (0.5 - n).abs(),
         _ => (1.0 - 2.0 * n).abs().min(0.5),
     };
-    halving(noises.map(fold))
+    halving(noises.into_iter().map(fold))
 }
 
-/// Wrinkles: ten octaves of noise.
-pub(super) fn wrinkles(generator: NoiseGenerator, p: DVec3) -> f64 {
-    wrinkles_sum(generator, noises::<WRINKLES_OCTAVES>(generator, p, 2.0).into_iter())
-}
-
-/// The values of wrinkles at four points.
-pub(super) fn wrinkles_of_points(generator: NoiseGenerator, points: &Points) -> [f64; LANES] {
-    let noises = noises_of_points::<WRINKLES_OCTAVES>(generator, points, 2.0);
-    each_lane(|i| wrinkles_sum(generator, noises.iter().map(|lanes| lanes[i])))
-}
-
+/// How many octaves of noise wrinkles are.
 const WRINKLES_OCTAVES: usize = 10;
 
-#[inline(always)]
-fn wrinkles_sum(generator: NoiseGenerator, noises: impl Iterator<Item = f64>) -> f64 {
+/// Wrinkles.
+pub(super) fn wrinkles(generator: NoiseGenerator, noises: [f64; WRINKLES_OCTAVES]) -> f64 {
     let fold = |n: f64| match generator {
         NoiseGenerator::Original => n,
         _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
     };
-    0.5 * halving(noises.map(fold))
+    0.5 * halving(noises.into_iter().map(fold))
 }
 
 /// Displacement of a normal by wrinkles.
@@ -97,42 +71,14 @@ pub struct InnerTurbulence {
     pub generator: NoiseGenerator,
 }
 
-impl InnerTurbulence {
-    /// As a number.
-    #[inline(always)]
-    pub(super) fn scalar(&self, p: DVec3) -> f64 {
-        self.amount.x * turbulence(self.generator, self.octaves, p)
-    }
-
-    /// As a number at each of four points.
-    pub(super) fn scalar_of_points(&self, points: &Points) -> [f64; LANES] {
-        let turbulences = turbulence_of_points(self.generator, self.octaves, points);
-        each_lane(|i| self.amount.x * turbulences[i])
-    }
-}
-
 /// Marble: x, shifted by turbulence.
 #[inline(always)]
 pub(super) fn marble(shift: f64, p: DVec3) -> f64 {
     p.x + shift
 }
 
-/// Wood: distance from the z axis, wobbling.
-pub(super) fn wood(inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
-    match inner {
-        Some(inner) => ring(inner.amount, p, vector_turbulence(inner.octaves, p)),
-        None => p.x.hypot(p.y),
-    }
-}
-
-/// The values of wobbling wood at four points.
-pub(super) fn wood_of_points(inner: &InnerTurbulence, points: &Points) -> [f64; LANES] {
-    let turbulences = vector_turbulence_of_points(inner.octaves, points);
-    each_lane(|i| ring(inner.amount, points.lane(i), turbulences.lane(i)))
-}
-
-/// A ring of wood that turbulence makes wobble.
-fn ring(amount: DVec3, p: DVec3, turbulence: DVec3) -> f64 {
+/// Wood that wobbles: a distance from the z axis.
+pub(super) fn wobbling_wood(amount: DVec3, turbulence: DVec3, p: DVec3) -> f64 {
     let x = p.x + sine((p.x + turbulence.x) * amount.x);
     let y = p.y + sine((p.y + turbulence.y) * amount.y);
     (x * x + y * y).sqrt()
@@ -276,22 +222,9 @@ impl<const BUMP: bool> Work for Heights<'_, BUMP> {
 }
 
 /// Leopard: spots where the mean of three sines is far from 0.
-pub(super) fn leopard(p: DVec3) -> f64 {
-    let mean = dispatch(SumOfSines(p)) * (1.0 / 3.0);
+pub(super) fn leopard([x, y, z]: [f64; 3]) -> f64 {
+    let mean = (x + y + z) * (1.0 / 3.0);
     mean * mean
-}
-
-/// The sum of the sines of three angles.
-struct SumOfSines(DVec3);
-
-impl Work for SumOfSines {
-    type Output = f64;
-
-    #[inline(always)]
-    fn run<S: Lanes>(self, simd: S) -> f64 {
-        let [x, y, z, _]: [f64; 4] = cast(sines(simd, cast([self.0.x, self.0.y, self.0.z, 0.0])));
-        x + y + z
-    }
 }
 
 /// Quilted: a pillow in every unit cube. Gives the offset from the cube's centre and the height over it.

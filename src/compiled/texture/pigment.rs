@@ -119,9 +119,7 @@ impl Pigment {
         match self {
             Self::Solid(_) => false,
             Self::Colors(pattern, _) | Self::Image(pattern, _) => pattern.kind.sees_normals(),
-            Self::Pigments(pattern, pigments) => {
-                pattern.kind.sees_normals() || pigments.iter().any(Self::sees_normals)
-            }
+            Self::Pigments(pattern, pigments) => pattern.kind.sees_normals() || pigments.iter().any(Self::sees_normals),
             Self::Uv(pigment) => pigment.sees_normals(),
         }
     }
