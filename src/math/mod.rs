@@ -28,7 +28,7 @@ mod uv;
 pub use bounds::Bounds;
 pub use color::{Color, Rgb, gray};
 pub use error_bound::{dot_error, gamma, transformed_point_error};
-pub use floor::{floor, fraction, modulo, round, round_to_even};
+pub use floor::{floor, floor_small, fraction, modulo, round, round_to_even};
 pub use glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
 pub use mersenne_twister::MersenneTwister;
 pub use points::{LANES, Points, each_lane};

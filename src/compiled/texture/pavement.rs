@@ -1,49 +1,67 @@
 //! Pavements: the plane of x and z in tiles that are joined squares or triangles.
 //!
-//! Some sides of the cells are borders of tiles, by a periodic table; everything else follows
-//! from which sides at a corner are borders. Source: section 10 of the pattern facts (measured).
+//! Some sides of the cells are borders of tiles, by a periodic table; everything else follows from which sides at a
+//! corner are borders, and is worked out beforehand for every cell of a period. Source: section 10 of the pattern facts
+//! (measured).
 
 use super::pavement_table::{HEXAGON_PAVEMENTS, PavementMap, SQUARE_PAVEMENTS, TRIANGLE_PAVEMENTS};
-use crate::math::{DVec2, DVec3, floor};
+use crate::math::{DVec3, floor_small};
+use square::SquareCell;
+use triangle::TriangleCell;
+
+mod square;
+mod triangle;
 
 /// Height of a triangle of side 1.
 const H: f64 = 0.866_025_403_784_438_6;
-/// 2 sqrt(3): one over the distance from the middle of a triangle to its sides.
-const K: f64 = 4.0 * H;
-
-/// Unit directions of the lattice's edges, counter-clockwise from x towards z: of squares, and of triangles.
-const SQUARE_DIRECTIONS: [DVec2; 4] = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
-const TRIANGLE_DIRECTIONS: [DVec2; 6] =
-    [DVec2::X, DVec2::new(0.5, H), DVec2::new(-0.5, H), DVec2::NEG_X, DVec2::new(-0.5, -H), DVec2::new(0.5, -H)];
 
 /// A pavement.
 #[derive(Clone)]
 pub struct Pavement {
-    map: &'static PavementMap,
-    /// For each lattice point of a period the spokes of it and of the points that follow by (1, 0), (1, 1) and (0, 1).
-    spokes: Box<[[Spokes; 4]]>,
-    /// Three, four or six.
-    sides: u32,
+    period: Period,
+    cells: Cells,
+    style: Style,
+}
+
+impl std::fmt::Debug for Pavement {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Pavement").field("period", &self.period).field("style", &self.style).finish_non_exhaustive()
+    }
+}
+
+/// How corners are drawn.
+#[derive(Clone, Copy, Debug)]
+struct Style {
     interior: u32,
     exterior: u32,
     form: u32,
 }
 
-impl std::fmt::Debug for Pavement {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Pavement").field("sides", &self.sides).finish_non_exhaustive()
-    }
+/// The cells of a period, by slot.
+#[derive(Clone)]
+enum Cells {
+    Squares(Box<[SquareCell; SLOTS * SLOTS]>),
+    /// The triangle at a lattice point, and that at the far side of it.
+    Triangles(Box<[[TriangleCell; 2]; SLOTS * SLOTS]>),
 }
 
-/// Which edges that leave a lattice point are borders, bit by bit, in the order of their directions.
+/// Slots along each axis: those of a period and one before and after it, where rounding may lead.
+const SLOTS: usize = 32;
+
+/// After how many lattice points along either axis a pavement repeats.
+#[derive(Clone, Copy, Debug)]
+struct Period {
+    size: [f64; 2],
+    inverse: [f64; 2],
+}
+
+/// Which edges that leave a lattice point are borders, bit by bit, counter-clockwise from x towards z.
 type Spokes = u8;
 
-/// A corner of the cell under the point.
+/// What makes the corner of a cell.
+#[derive(Clone, Copy)]
 struct Corner {
-    at: DVec2,
-    /// Unit directions of the cell's two sides there.
-    along: [DVec2; 2],
-    /// Whether those sides are borders.
+    /// Whether the cell's two sides there are borders.
     border: [bool; 2],
     /// Whether the sides next to those, outside the cell, are borders.
     beyond: [bool; 2],
@@ -52,9 +70,55 @@ struct Corner {
 }
 
 impl Corner {
-    fn convex(&self) -> bool {
-        self.border == [true, true]
+    /// The corner of a cell at a lattice point with such spokes, `n` edges in all; the cell's sides there lead along the
+    /// edges `k` and `k + 1`.
+    fn new(spokes: Spokes, n: usize, k: usize) -> Self {
+        let is_border = |k: usize| spokes >> (k % n) & 1 == 1;
+        let border = [is_border(k), is_border(k + 1)];
+        Self { border, beyond: [is_border(k + n - 1), is_border(k + 2)], concave: border == [false; 2] && spokes != 0 }
     }
+
+    fn convex(&self) -> bool {
+        self.border == [true; 2]
+    }
+}
+
+/// A bit for each corner or side of which something is true, the first one lowest.
+fn bits(flags: impl IntoIterator<Item = bool>) -> u8 {
+    flags.into_iter().enumerate().map(|(i, flag)| u8::from(flag) << i).sum()
+}
+
+/// Whether a bit of such a number is set.
+#[inline(always)]
+fn has(bits: u8, i: usize) -> bool {
+    bits >> i & 1 == 1
+}
+
+/// Added to distances to what a cell does not have, by its bits.
+static FAR: [[f64; 4]; 16] = {
+    let mut far = [[f64::INFINITY; 4]; 16];
+    let mut i = 0;
+    while i < 64 {
+        if (i / 4) >> (i % 4) & 1 == 1 {
+            far[i / 4][i % 4] = 0.0;
+        }
+        i += 1;
+    }
+    far
+};
+
+/// The least of four distances, to those things of which a cell has some.
+#[inline(always)]
+fn least(bits: u8, distances: [f64; 4]) -> f64 {
+    let far = &FAR[usize::from(bits) % FAR.len()];
+    let [a, b, c, d] = [0, 1, 2, 3].map(|i| distances[i] + far[i]);
+    less(less(a, b), less(c, d))
+}
+
+/// The smaller number in one instruction.
+#[inline(always)]
+fn less(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
 }
 
 impl PavementMap {
@@ -62,7 +126,7 @@ impl PavementMap {
     fn point(&self, i: i64, j: i64) -> usize {
         let (width, height) = (i64::from(self.width), i64::from(self.height));
         let rows = j.div_euclid(height);
-        let i = i.wrapping_sub(rows.wrapping_mul(i64::from(self.shift))).rem_euclid(width);
+        let i = (i - rows * i64::from(self.shift)).rem_euclid(width);
         ((j - rows * height) * width + i) as usize
     }
 
@@ -78,6 +142,32 @@ impl PavementMap {
             own | edge(i - 1, j, 2) << 2 | left << 3 | below << 4 | edge(i, j - 1, 2) << 5
         }
     }
+
+    /// After how many points along either axis the map repeats.
+    fn period(&self) -> Period {
+        let heights = (1..).find(|n| n * u32::from(self.shift) % u32::from(self.width) == 0).unwrap_or(1);
+        let size = [f64::from(self.width), f64::from(heights * u32::from(self.height))];
+        Period { size, inverse: size.map(f64::recip) }
+    }
+}
+
+impl Period {
+    /// The slot of a lattice point (i, j), which is next below (a, b).
+    #[inline(always)]
+    fn slot(&self, [i, j]: [f64; 2], [a, b]: [f64; 2]) -> usize {
+        // One more than points of the period before this one, in the lowest bits.
+        const TO_SLOT: f64 = ((3_u64 << 51) + 1) as f64;
+        let slot = |i: f64, a: f64, axis: usize| {
+            let before = self.size[axis] * floor_small(a * self.inverse[axis]);
+            (i - before + TO_SLOT).to_bits() as usize % SLOTS
+        };
+        slot(j, b, 1) * SLOTS + slot(i, a, 0)
+    }
+}
+
+/// What `cell` gives for the lattice point of each slot.
+fn slots<T>(cell: impl Fn(i64, i64) -> T) -> Box<[T; SLOTS * SLOTS]> {
+    Box::new(std::array::from_fn(|slot| cell((slot % SLOTS) as i64 - 1, (slot / SLOTS) as i64 - 1)))
 }
 
 impl Pavement {
@@ -90,163 +180,48 @@ impl Pavement {
             _ => return None,
         };
         let map = by_tiles.get(tiles.checked_sub(1)? as usize)?.get(pattern.checked_sub(1)? as usize)?;
-        let forms = if sides == 4 { 4 } else { 3 };
-        let spokes = (0..i64::from(map.width) * i64::from(map.height))
-            .map(|at| {
-                let (i, j) = (at % i64::from(map.width), at / i64::from(map.width));
-                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(a, b)| map.spokes(sides, i + a, j + b))
-            })
-            .collect();
-        Some(Self { map, spokes, sides, interior: interior % 3, exterior: exterior % 3, form: form % forms })
-    }
-
-    /// The corner of a cell at a lattice point with such spokes; the cell's sides there lead along `k` and `k + 1` of the
-    /// directions.
-    #[inline]
-    fn corner(spokes: Spokes, at: DVec2, directions: &[DVec2], k: usize) -> Corner {
-        let n = directions.len();
-        let wrapped = |k: usize| if k >= n { k - n } else { k };
-        let is_border = |k: usize| spokes >> k & 1 == 1;
-        let border = [is_border(k), is_border(wrapped(k + 1))];
-        Corner {
-            at,
-            along: [directions[k], directions[wrapped(k + 1)]],
-            border,
-            beyond: [is_border(wrapped(k + n - 1)), is_border(wrapped(k + 2))],
-            concave: border == [false, false] && spokes != 0,
-        }
+        let form = form % if sides == 4 { 4 } else { 3 };
+        // Tiles of hexagons have no exterior corners.
+        let exterior = if sides == 6 { 0 } else { exterior % 3 };
+        let style = Style { interior: interior % 3, exterior, form };
+        let around = |i: i64, j: i64| [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(a, b)| map.spokes(sides, i + a, j + b));
+        let cells = if sides == 4 {
+            Cells::Squares(slots(|i, j| SquareCell::new(around(i, j), style)))
+        } else {
+            Cells::Triangles(slots(|i, j| TriangleCell::pair(around(i, j), style)))
+        };
+        Some(Self { period: map.period(), cells, style })
     }
 
     /// The value at a point.
     pub(super) fn value(&self, p: DVec3) -> f64 {
-        let p = DVec2::new(p.x, p.z);
-        if self.sides == 4 {
-            let (i, j) = (floor(p.x), floor(p.y));
-            let spokes = self.spokes[self.map.point(i as i64, j as i64)];
-            let corner =
-                |a: f64, b: f64, k: usize| Self::corner(spokes[k], DVec2::new(i + a, j + b), &SQUARE_DIRECTIONS, k);
-            self.square(p, &[corner(0.0, 0.0, 0), corner(1.0, 0.0, 1), corner(1.0, 1.0, 2), corner(0.0, 1.0, 3)])
+        match &self.cells {
+            Cells::Squares(cells) => self.in_squares(cells, p.x, p.z),
+            Cells::Triangles(cells) => self.in_triangles(cells, p.x, p.z),
+        }
+    }
+
+    #[inline(never)]
+    fn in_squares(&self, cells: &[SquareCell; SLOTS * SLOTS], x: f64, z: f64) -> f64 {
+        let (i, j) = (floor_small(x), floor_small(z));
+        let cell = cells[self.period.slot([i, j], [x, z])];
+        cell.value(self.style, [z - j, i + 1.0 - x, j + 1.0 - z, x - i])
+    }
+
+    #[inline(never)]
+    fn in_triangles(&self, cells: &[[TriangleCell; 2]; SLOTS * SLOTS], x: f64, z: f64) -> f64 {
+        let b = z / H;
+        let a = x - 0.5 * b;
+        let (i, j) = (floor_small(a), floor_small(b));
+        let [near, far] = cells[self.period.slot([i, j], [a, b])];
+        // From the lattice point.
+        let (x, z) = (x - (i + 0.5 * j), z - H * j);
+        if (a - i) + (b - j) < 1.0 {
+            near.value(self.style, x, z)
         } else {
-            let b = p.y / H;
-            let a = p.x - 0.5 * b;
-            let (i, j) = (floor(a), floor(b));
-            let spokes = self.spokes[self.map.point(i as i64, j as i64)];
-            let corner = |[a, b]: [f64; 2], spokes: Spokes, k: usize| {
-                let at = DVec2::new((i + a) + 0.5 * (j + b), H * (j + b));
-                Self::corner(spokes, at, &TRIANGLE_DIRECTIONS, k)
-            };
-            let [here, right, across, up] = spokes;
-            let is_lower = (a - i) + (b - j) < 1.0;
-            let corners = if is_lower {
-                [corner([0.0, 0.0], here, 0), corner([1.0, 0.0], right, 2), corner([0.0, 1.0], up, 4)]
-            } else {
-                [corner([1.0, 1.0], across, 3), corner([0.0, 1.0], up, 5), corner([1.0, 0.0], right, 1)]
-            };
-            self.triangle(p, &corners)
+            // The far triangle is the near one, turned by half a circle.
+            far.value(self.style, 1.5 - x, H - z)
         }
-    }
-
-    fn square(&self, p: DVec2, corners: &[Corner; 4]) -> f64 {
-        let radius = |kind: u32, d: DVec2| match kind {
-            0 => d.max_element(),
-            1 => d.x + d.y,
-            _ => d.length(),
-        };
-        let from = |c: &Corner| (p - c.at).abs();
-        let is_bend = |i: usize| corners[i].concave && corners[(i + 2) % 4].convex();
-        if self.form < 3
-            && let Some(i) = (0..4).find(|i| is_bend(*i))
-        {
-            return (2.0 * radius(self.form, from(&corners[i])) - 1.0).abs().min(1.0);
-        }
-        let mut value: f64 = 0.0;
-        for corner in corners {
-            let d = from(corner);
-            for side in 0..2 {
-                if corner.border[side] {
-                    // A side along x is as far away as the point is in z.
-                    let distance = if corner.along[side].x.abs() > 0.5 { d.y } else { d.x };
-                    value = value.max(1.0 - 2.0 * distance);
-                }
-            }
-            if corner.concave {
-                value = value.max(1.0 - 2.0 * radius(self.interior, d));
-            }
-            if corner.convex() {
-                match self.exterior {
-                    1 => value = value.max((2.0 - 2.0 * (d.x + d.y)).min(1.0)),
-                    2 if d.max_element() <= 0.5 => {
-                        value = value.max((DVec2::ONE - 2.0 * d).length().min(1.0));
-                    }
-                    _ => {}
-                }
-            }
-        }
-        value
-    }
-
-    fn triangle(&self, p: DVec2, corners: &[Corner; 3]) -> f64 {
-        let center = (corners[0].at + corners[1].at + corners[2].at) / 3.0;
-        let to_side = |c: &Corner, side: usize| c.along[side].perp_dot(p - c.at).abs();
-        let mut value: f64 = 0.0;
-        for corner in corners {
-            for side in 0..2 {
-                if corner.border[side] {
-                    value = value.max(1.0 - K * to_side(corner, side));
-                }
-            }
-        }
-        let own = |c: &Corner| {
-            let d = (p - c.at).length_squared();
-            corners.iter().all(|other| d <= (p - other.at).length_squared())
-        };
-        for corner in corners.iter().filter(|c| c.concave) {
-            let offset = p - corner.at;
-            let inward = (center - corner.at).normalize();
-            match self.interior {
-                0 => value = value.max(1.0 - K * offset.dot(inward)),
-                1 if own(corner) => {
-                    let reach = offset.dot(corner.along[0]).max(offset.dot(corner.along[1]));
-                    value = value.max(1.0 - 3.0 * reach);
-                }
-                2 => value = value.max(1.0 - 3.0 * offset.length()),
-                _ => {}
-            }
-        }
-        for corner in corners {
-            if self.sides == 3 && corner.convex() {
-                let inward = (center - corner.at).normalize();
-                let to_opposite = H - (p - corner.at).dot(inward);
-                match self.exterior {
-                    1 if (0..2).all(|side| to_side(corner, side) <= 1.0 / K) => {
-                        value = (K * (to_opposite - H / 3.0).abs()).min(1.0);
-                    }
-                    2 if own(corner) => value = (K * (p - center).length()).min(1.0),
-                    _ => {}
-                }
-            }
-            if self.form > 0
-                && own(corner)
-                && let Some(open) = bent(corner)
-            {
-                let far = corner.at + corner.along[open];
-                value = if self.form == 2 {
-                    (K * ((p - far).length() - 2.0 * H / 3.0)).clamp(0.0, 1.0)
-                } else {
-                    (2.0 * (2.0 * (p - far).dot(corner.at - far) - 1.0)).min(1.0)
-                };
-            }
-        }
-        value
-    }
-}
-
-/// The open side of a corner where the tile's wedge is two triangles wide.
-fn bent(corner: &Corner) -> Option<usize> {
-    match (corner.border, corner.beyond) {
-        ([true, false], [_, true]) => Some(1),
-        ([false, true], [true, _]) => Some(0),
-        _ => None,
     }
 }
 
@@ -262,6 +237,26 @@ mod tests {
         for (p, expected) in points.into_iter().zip(expected) {
             let found = pavement.value(DVec3::from(p));
             assert!((found - expected).abs() < 2e-6, "{shape:?} {style:?} at {p:?}: {found} for {expected}");
+        }
+    }
+
+    #[test]
+    fn periods_have_room_and_repeat() {
+        let all = [(3, &TRIANGLE_PAVEMENTS[..]), (4, &SQUARE_PAVEMENTS), (6, &HEXAGON_PAVEMENTS)];
+        let maps =
+            all.iter().flat_map(|(sides, by_tiles)| by_tiles.iter().flat_map(|maps| *maps).map(|map| (*sides, map)));
+        for (sides, map) in maps {
+            let period = map.period();
+            assert!(period.size.iter().all(|size| *size <= (SLOTS - 2) as f64), "{period:?}");
+            let spokes = slots(|i, j| map.spokes(sides, i, j));
+            // Next below a lattice point's successors, too, where rounding leads to one period or the other.
+            for (i, j) in (-40..40).flat_map(|i| (-40..40).map(move |j| (i, j))) {
+                for above in [0.0, 0.5, 1.0_f64.next_down()] {
+                    let at = [i, j].map(f64::from);
+                    let slot = period.slot(at, at.map(|c| c + above));
+                    assert_eq!(spokes[slot], map.spokes(sides, i.into(), j.into()), "{period:?} at {i}, {j}");
+                }
+            }
         }
     }
 

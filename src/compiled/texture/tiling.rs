@@ -5,7 +5,10 @@
 //! distance to the nearest side. Source: section 9 of the pattern facts (measured).
 
 use super::penrose::Penrose;
-use crate::math::{DVec2, DVec3, floor};
+use crate::math::{DVec2, DVec3};
+pub use periodic::Periodic;
+
+mod periodic;
 
 /// Height of a triangle of side 1.
 const H: f64 = 0.866_025_403_784_438_6;
@@ -25,45 +28,30 @@ impl Tiling {
     /// Tiling `n`, 1 to 27.
     pub fn new(n: u32) -> Option<Self> {
         match n {
-            1..=24 => Some(Self::Periodic(Box::new(Periodic::new(n)))),
+            1..=24 => Some(Self::Periodic(Box::new(periodic_tiling(n)))),
             25..=27 => Penrose::new(n).map(Self::Penrose),
             _ => None,
         }
     }
 
     /// The value at a point.
+    #[inline(always)]
     pub(super) fn value(&self, p: DVec3) -> f64 {
-        let p = DVec2::new(p.x, p.z);
         match self {
-            Self::Periodic(tiles) => tiles.value(p),
-            Self::Penrose(penrose) => penrose.value(p),
+            Self::Periodic(tiles) => tiles.value(p.x, p.z),
+            Self::Penrose(penrose) => penrose.value(DVec2::new(p.x, p.z)),
         }
     }
 }
 
-/// Tiles that repeat along two vectors.
-#[derive(Clone, Debug)]
-pub struct Periodic {
-    /// How many kinds there are.
-    n_kinds: f64,
-    /// Distance at which a tile's slope ends.
-    rho: f64,
-    /// Steps of the lattice.
-    steps: [DVec2; 2],
-    /// 1 over the area of the lattice's cell.
-    inverse_area: f64,
-    /// Every tile that reaches into the cell at the origin.
-    tiles: Vec<Tile>,
-    /// Reflects the plane into (0..3) x (0..3) first, as tiling 12 does.
-    folded: bool,
-}
+/// First corner and unit direction of a side.
+type Side = (DVec2, DVec2);
 
 /// A convex polygon, counter-clockwise from x towards z.
 #[derive(Clone, Debug)]
 struct Tile {
     corners: Vec<DVec2>,
-    /// First corner and unit direction of each side.
-    sides: Vec<(DVec2, DVec2)>,
+    sides: Vec<Side>,
     kind: f64,
     /// Keeps a kind's lowest values from touching the kind below, as POV-Ray does.
     floor: f64,
@@ -101,30 +89,37 @@ impl Tile {
     fn depth(&self, p: DVec2) -> f64 {
         self.sides.iter().map(|(a, along)| along.perp_dot(p - *a)).fold(f64::INFINITY, f64::min)
     }
+}
 
-    /// 0 in the middle, 1 at the sides.
-    fn rise(&self, p: DVec2, rho: f64) -> f64 {
-        if self.uneven { 1.0 - self.uneven_depth(p).min(1.0) } else { (1.0 - self.depth(p) / rho).max(self.floor) }
+/// The sides of the dodecagon of tiling 22, whose slopes are of their own.
+#[derive(Clone, Debug)]
+struct Uneven {
+    /// How much the value falls from each over a unit of length: away from the strip along the topmost side, and in it.
+    sides: Box<[(Side, [f64; 2])]>,
+    top: Side,
+}
+
+impl Uneven {
+    fn new(sides: &[Side], n_kinds: f64) -> Self {
+        let faces = |along: DVec2, degrees: f64| DVec2::new(along.y, -along.x).dot(direction(degrees)) > 0.99;
+        let slope = |along: DVec2, gentle: &[f64]| if gentle.iter().any(|d| faces(along, *d)) { 3.0 } else { 2.0 * R3 };
+        let slopes = |along: DVec2| [&[0.0, 180.0, -90.0][..], &[30.0, 150.0]].map(|g| slope(along, g) / n_kinds);
+        let top = *sides.iter().find(|(_, along)| faces(*along, 90.0)).unwrap_or(&(DVec2::ZERO, DVec2::X));
+        Self { sides: sides.iter().map(|side| (*side, slopes(side.1))).collect(), top }
     }
 
-    /// Scaled distance to the sides of the dodecagon of tiling 22.
-    fn uneven_depth(&self, p: DVec2) -> f64 {
-        let facing = |normal: DVec2, degrees: f64| normal.dot(DVec2::from_angle(degrees.to_radians())) > 0.99;
-        let distance = |a: DVec2, along: DVec2| along.perp_dot(p - a);
-        let outward = |along: DVec2| DVec2::new(along.y, -along.x);
-        let in_top_strip =
-            self.sides.iter().any(|(a, along)| facing(outward(*along), 90.0) && distance(*a, *along) <= 0.5);
-        let slope = |normal: DVec2| {
-            let gentle: &[f64] = if in_top_strip { &[30.0, 150.0] } else { &[0.0, 180.0, -90.0] };
-            if gentle.iter().any(|d| facing(normal, *d)) { 3.0 } else { 2.0 * R3 }
-        };
-        let scaled = |(a, along): &(DVec2, DVec2)| slope(outward(*along)) * distance(*a, *along);
-        self.sides.iter().map(scaled).fold(f64::INFINITY, f64::min)
+    /// The value, which falls from the highest at the sides to the lowest.
+    #[inline(never)]
+    fn value(&self, highest: f64, lowest: f64, p: DVec2) -> f64 {
+        let distance = |(a, along): Side| along.perp_dot(p - a);
+        let in_strip = usize::from(distance(self.top) <= 0.5);
+        let at = |(side, slopes): &(_, [f64; 2])| highest - slopes[in_strip] * distance(*side);
+        self.sides.iter().map(at).fold(lowest, f64::max)
     }
 }
 
-/// First corner and unit direction of each side of a polygon.
-fn sides_of(corners: &[DVec2]) -> Vec<(DVec2, DVec2)> {
+/// The sides of a polygon.
+fn sides_of(corners: &[DVec2]) -> Vec<Side> {
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|(from, to)| (*from, (*to - *from).normalize())).collect()
 }
@@ -158,37 +153,11 @@ fn square(kind: u32, center: DVec2, facing_deg: f64) -> Tile {
     regular(kind, 4, center, facing_deg + 45.0)
 }
 
-impl Periodic {
-    fn new(n: u32) -> Self {
-        let (n_kinds, rho, steps, tiles) = tiles_of(n);
-        let mut all = Vec::new();
-        for tile in &tiles {
-            all.extend(copies_at_origin(tile, steps));
-        }
-        let inverse_area = 1.0 / steps[0].perp_dot(steps[1]);
-        Self { n_kinds, rho, steps, inverse_area, tiles: all, folded: n == 12 }
-    }
-
-    fn value(&self, p: DVec2) -> f64 {
-        let p = if self.folded { v((p.x.rem_euclid(6.0) - 3.0).abs(), (p.y.rem_euclid(6.0) - 3.0).abs()) } else { p };
-        let [a, b] = self.steps;
-        let (i, j) = (floor(p.perp_dot(b) * self.inverse_area), floor(a.perp_dot(p) * self.inverse_area));
-        let local = p - i * a - j * b;
-        // On a common side the later tile wins, as far as rounding of coordinates near 1 can tell.
-        let tie = 8.0 * f64::EPSILON;
-        let mut deepest: Option<(f64, &Tile)> = None;
-        for tile in &self.tiles {
-            let depth = tile.depth(local);
-            if deepest.is_none_or(|(best, _)| depth >= best - tie) {
-                deepest = Some((depth, tile));
-            }
-            // Tiles do not overlap: none can be deeper, or as deep.
-            if depth > 2.0 * tie {
-                break;
-            }
-        }
-        deepest.map_or(0.0, |(_, tile)| (tile.kind + tile.rise(local, self.rho) + tile.added) / self.n_kinds)
-    }
+/// Tilings 1 to 24.
+fn periodic_tiling(n: u32) -> Periodic {
+    let (n_kinds, rho, steps, tiles) = tiles_of(n);
+    let tiles: Vec<_> = tiles.iter().flat_map(|tile| copies_at_origin(tile, steps)).collect();
+    Periodic::new(n_kinds, rho, steps, &tiles)
 }
 
 /// The copies of a tile that overlap the lattice cell at the origin.
@@ -262,7 +231,7 @@ fn tiles_of(n: u32) -> (f64, f64, [DVec2; 2], Vec<Tile>) {
         ),
         10 => (1.0, 0.5, [DVec2::X, v(0.5, 1.0)], vec![rect(0, [0.0, 1.0], [0.0, 1.0])]),
         11 => (3.0, 0.5, [v(3.0, 0.0), v(0.0, 3.0)], pinwheel()),
-        12 => (3.0, 0.5, [v(3.0, 0.0), v(0.0, 3.0)], pinwheel()),
+        12 => (3.0, 0.5, [v(6.0, 0.0), v(0.0, 6.0)], pinwheel().iter().flat_map(reflections).collect()),
         13 => (3.0, 0.5 / r2, [v(2.0 * r2, 0.0), v(0.0, 2.0 * r2)], frames([2, 2, 1, 1, 0], 0.0)),
         14 => (5.0, 0.5 / r2, [v(2.0 * r2, 0.0), v(0.0, 2.0 * r2)], frames([0, 1, 2, 3, 4], 1e-6)),
         15 => (
@@ -311,6 +280,14 @@ fn pinwheel() -> Vec<Tile> {
         rect(2, [0.0, 1.0], [0.0, 2.0]),
         rect(2, [2.0, 3.0], [1.0, 3.0]),
     ]
+}
+
+/// The tile around (3, 3) instead of the origin, and its images in both axes there.
+fn reflections(tile: &Tile) -> [Tile; 4] {
+    [v(1.0, 1.0), v(-1.0, 1.0), v(1.0, -1.0), v(-1.0, -1.0)].map(|sign| {
+        let corners = tile.corners.iter().map(|c| 3.0 + sign * *c).collect();
+        Tile { kind: tile.kind, ..Tile::new(0, corners) }
+    })
 }
 
 /// A square in a square; trapezia between them by kind: +x, -x, -z, +z, then the centre.
@@ -463,6 +440,18 @@ mod tests {
         check(22, [0.666667, 0.666667, 0.333333, 0.666667, 0.666667]);
         check(23, [0.666667, 0.442295, 0.333333, 0.421195, 0.449583]);
         check(24, [0.8, 0.665377, 0.2, 0.652717, 0.26975]);
+    }
+
+    #[test]
+    fn tiles_leave_no_gaps() {
+        for n in 1..=24 {
+            let tiling = Tiling::new(n).expect("a known tiling");
+            for (i, j) in (-99..99).flat_map(|i| (-99..99).map(move |j| (i, j))) {
+                let found = tiling.value(DVec3::new(0.083 * f64::from(i), 0.0, 0.091 * f64::from(j)));
+                // Values are higher outside of tiles; POV-Ray adds this much, at most.
+                assert!((0.0..1.0 + 1e-6).contains(&found), "tiling {n} at {i}, {j}: {found}");
+            }
+        }
     }
 
     #[test]
