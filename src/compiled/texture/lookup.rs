@@ -192,7 +192,7 @@ impl Lookup for AtPoints<'_> {
 
     #[inline(always)]
     fn map_pigment(self, pigment: &Pigment) -> [f64; LANES] {
-        let colors = pigment.colors_or_clear(self.points, self.uvs);
+        let colors = pigment.colors(self.points, self.uvs);
         each_lane(|i| f64::from(gray(colors[i].rgb)))
     }
 }
