@@ -1,5 +1,7 @@
 //! Colours: linear RGB for light, five components for what a scene declares.
 
+use glam::Vec4;
+
 /// Linear red, green and blue, unclamped; light and reflectances.
 ///
 /// Single precision, as POV-Ray keeps its colours.
@@ -51,11 +53,26 @@ impl Color {
     /// Linear blend in all five components: `self` at `t == 0`, `other` at `t == 1`.
     #[inline]
     pub fn lerp(self, other: Self, t: f32) -> Self {
-        Self {
-            rgb: self.rgb + (other.rgb - self.rgb) * t,
-            filter: self.filter + (other.filter - self.filter) * t,
-            transmit: self.transmit + (other.transmit - self.transmit) * t,
-        }
+        let (from, to) = (self.tinted(), other.tinted());
+        Self::from_tinted(from + (to - from) * t, self.transmit + (other.transmit - self.transmit) * t)
+    }
+
+    /// `weight` times another colour added in all five components.
+    #[inline]
+    #[must_use]
+    pub fn plus(self, weight: f32, other: Self) -> Self {
+        Self::from_tinted(self.tinted() + weight * other.tinted(), self.transmit + weight * other.transmit)
+    }
+
+    /// The first four components, which fill a register.
+    #[inline(always)]
+    fn tinted(self) -> Vec4 {
+        self.rgb.extend(self.filter)
+    }
+
+    #[inline(always)]
+    fn from_tinted(tinted: Vec4, transmit: f32) -> Self {
+        Self { rgb: tinted.truncate(), filter: tinted.w, transmit }
     }
 }
 

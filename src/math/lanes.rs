@@ -12,6 +12,9 @@ pub(crate) trait Lanes: Simd<f64s = f64x4, u64s = u64x4, m64s = m64x4> {
 
     /// The columns of four rows.
     fn columns(self, rows: [&[f64; 4]; 4]) -> [f64x4; 4];
+
+    /// Whether all bits are zero.
+    fn is_zero(self, v: u64x4) -> bool;
 }
 
 impl Lanes for Scalar256b {
@@ -26,6 +29,11 @@ impl Lanes for Scalar256b {
     fn columns(self, [a, b, c, d]: [&[f64; 4]; 4]) -> [f64x4; 4] {
         let column = |i: usize| f64x4(a[i], b[i], c[i], d[i]);
         [column(0), column(1), column(2), column(3)]
+    }
+
+    #[inline(always)]
+    fn is_zero(self, u64x4(a, b, c, d): u64x4) -> bool {
+        a | b | c | d == 0
     }
 }
 
@@ -46,6 +54,11 @@ impl Lanes for pulp::x86::V3 {
             cast(self.avx._mm256_unpacklo_pd(even_2, odd_2)),
             cast(self.avx._mm256_unpackhi_pd(even_2, odd_2)),
         ]
+    }
+
+    #[inline(always)]
+    fn is_zero(self, v: u64x4) -> bool {
+        self.avx._mm256_testz_si256(cast(v), cast(v)) == 1
     }
 }
 

@@ -12,7 +12,7 @@ use super::lanes::{Lanes, Work, dispatch};
 use super::noise::permuted;
 use super::noise_table::NOISE_TABLE;
 use bytemuck::cast;
-use pulp::f64x4;
+use pulp::{f64x4, u64x4};
 
 /// How the sum over a cell's corners becomes a noise from 0 to 1.
 #[derive(Debug)]
@@ -25,8 +25,15 @@ pub(super) struct Scaling {
 
 impl Scaling {
     #[inline(always)]
-    fn noise(&self, sum: f64) -> f64 {
+    pub(super) fn noise(&self, sum: f64) -> f64 {
         ((sum + self.shift) * self.factor).clamp(0.0, 1.0)
+    }
+
+    /// Four noises.
+    #[inline(always)]
+    pub(super) fn noises<S: Lanes>(&self, simd: S, sums: f64x4) -> f64x4 {
+        let noises = simd.mul_f64s(simd.add_f64s(sums, simd.splat_f64s(self.shift)), simd.splat_f64s(self.factor));
+        simd.min_f64s(simd.max_f64s(noises, simd.splat_f64s(0.0)), simd.splat_f64s(1.0))
     }
 }
 
@@ -40,47 +47,10 @@ pub(super) fn vector_noise(point: DVec3) -> DVec3 {
     dispatch(VectorNoise(point))
 }
 
-/// A point at rising frequencies.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Series {
-    /// The point at the first frequency, 1.
-    pub(super) point: DVec3,
-    /// From one frequency to the next; products round one after the other.
-    pub(super) factor: f64,
-}
-
-impl Series {
-    /// Writes the noises at as many frequencies as there is room for.
-    pub(super) fn noises(self, scaling: &'static Scaling, noises: &mut [f64]) {
-        dispatch(Noises { series: self, scaling, noises });
-    }
-
-    /// The sum of `count` vector noises, or of their absolute values. The first has weight 1, every other `ratio` times
-    /// that of the one before.
-    pub(super) fn vector_sum<const ABSOLUTE: bool>(self, count: usize, ratio: f64) -> DVec3 {
-        dispatch(VectorSum::<ABSOLUTE> { series: self, count, ratio })
-    }
-
-    /// The cells of the point from the first frequency on.
-    #[inline(always)]
-    fn cells(self) -> Cells {
-        Cells { series: self, frequency: 1.0 }
-    }
-}
-
-/// The cells of a series one after the other.
-struct Cells {
-    series: Series,
-    frequency: f64,
-}
-
-impl Cells {
-    #[inline(always)]
-    fn next<S: Lanes>(&mut self, simd: S) -> Cell {
-        let cell = Cell::around(simd, simd.mul_f64s(lanes(self.series.point), simd.splat_f64s(self.frequency)));
-        self.frequency *= self.series.factor;
-        cell
-    }
+/// The sum of `count` vector noises, or of their absolute values, at a point, at `factor` times the point and so on. The
+/// first has weight 1, every other `ratio` times that of the one before.
+pub(super) fn vector_sum<const ABSOLUTE: bool>(point: DVec3, factor: f64, count: usize, ratio: f64) -> DVec3 {
+    dispatch(VectorSum::<ABSOLUTE> { point, factor, count, ratio })
 }
 
 struct Noise(DVec3);
@@ -105,30 +75,9 @@ impl Work for VectorNoise {
     }
 }
 
-struct Noises<'a> {
-    series: Series,
-    scaling: &'static Scaling,
-    noises: &'a mut [f64],
-}
-
-impl Work for Noises<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Lanes>(self, simd: S) {
-        let mut cells = self.series.cells();
-        // A cell waits for its table rows while the noise of the one before is summed up: that is worth the one
-        // cell too many.
-        let mut next = cells.next(simd);
-        for noise in self.noises {
-            let cell = std::mem::replace(&mut next, cells.next(simd));
-            *noise = self.scaling.noise(cell.sum(simd));
-        }
-    }
-}
-
 struct VectorSum<const ABSOLUTE: bool> {
-    series: Series,
+    point: DVec3,
+    factor: f64,
     count: usize,
     ratio: f64,
 }
@@ -138,17 +87,20 @@ impl<const ABSOLUTE: bool> Work for VectorSum<ABSOLUTE> {
 
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) -> DVec3 {
-        let Self { series, count, ratio } = self;
-        let mut cells = series.cells();
-        let (mut sum, mut weight) = (simd.splat_f64s(0.0), 1.0);
-        // As above.
-        let mut next = cells.next(simd);
-        for _ in 0..count {
-            let cell = std::mem::replace(&mut next, cells.next(simd));
+        let point = lanes(self.point);
+        let (mut frequency, mut weight) = (self.factor, 1.0);
+        let mut sum = simd.splat_f64s(0.0);
+        // A cell waits for its table rows while the noise of the one before is summed up: that is worth the one
+        // cell too many.
+        let mut next = Cell::around(simd, point);
+        for _ in 0..self.count {
+            let cell =
+                std::mem::replace(&mut next, Cell::around(simd, simd.mul_f64s(point, simd.splat_f64s(frequency))));
             let noise = cell.vector_noise(simd);
             let noise = if ABSOLUTE { simd.abs_f64s(noise) } else { noise };
             sum = simd.add_f64s(sum, simd.mul_f64s(simd.splat_f64s(weight), noise));
-            weight *= ratio;
+            frequency *= self.factor;
+            weight *= self.ratio;
         }
         vector(sum)
     }
@@ -173,7 +125,7 @@ const TO_BITS: f64 = ((1_u64 << 52) + (1 << 51)) as f64 + POV_OFFSET;
 
 /// What is needed of a lattice cell and the point in it. Corner k stands on side k & 1 along x, on side k >> 1 & 1
 /// along y and on side k >> 2 along z.
-struct Cell {
+pub(super) struct Cell {
     /// Table rows of the corners, modulo 256.
     rows: [u32; 8],
     /// Twice the distances from the lower and from the upper sides along x, y and z; nothing in the fourth place.
@@ -183,29 +135,47 @@ struct Cell {
     weights: [[f64; 4]; 2],
 }
 
-impl Cell {
+/// Where coordinates lie between the sides of their cells.
+pub(super) struct Sides {
+    /// Lattice coordinates of the lower sides, modulo 65,536.
+    pub(super) lower: u64x4,
+    /// Twice the distances from the lower and from the upper sides.
+    pub(super) distances: [f64x4; 2],
+    /// Shares of the lower and of the upper sides.
+    pub(super) shares: [f64x4; 2],
+}
+
+impl Sides {
     #[inline(always)]
-    fn around<S: Lanes>(simd: S, point: f64x4) -> Self {
-        let below = simd.sub_f64s(point, simd.splat_f64s(POV_ALMOST_ONE));
-        let positive = simd.greater_than_or_equal_f64s(point, simd.splat_f64s(0.0));
-        let whole = simd.truncate(simd.select_f64s(positive, point, below));
+    pub(super) fn of<S: Lanes>(simd: S, coordinates: f64x4) -> Self {
+        let below = simd.sub_f64s(coordinates, simd.splat_f64s(POV_ALMOST_ONE));
+        let positive = simd.greater_than_or_equal_f64s(coordinates, simd.splat_f64s(0.0));
+        let whole = simd.truncate(simd.select_f64s(positive, coordinates, below));
         let lower = simd.transmute_u64s_f64s(simd.add_f64s(whole, simd.splat_f64s(TO_BITS)));
-        let upper = simd.add_u64s(lower, simd.splat_u64s(1));
-        let fraction = simd.sub_f64s(point, whole);
+        let fraction = simd.sub_f64s(coordinates, whole);
         let twice = simd.add_f64s(fraction, fraction);
         let three_less = simd.sub_f64s(simd.splat_f64s(3.0), twice);
         let upper_shares = simd.mul_f64s(simd.mul_f64s(fraction, fraction), three_less);
         let lower_shares = simd.sub_f64s(simd.splat_f64s(1.0), upper_shares);
+        let distances = [twice, simd.sub_f64s(twice, simd.splat_f64s(2.0))];
+        Self { lower, distances, shares: [lower_shares, upper_shares] }
+    }
+}
+
+impl Cell {
+    #[inline(always)]
+    pub(super) fn around<S: Lanes>(simd: S, point: f64x4) -> Self {
+        let sides = Sides::of(simd, point);
         Self {
-            rows: rows(cast(lower), cast(upper)),
-            distances: [cast(twice), cast(simd.sub_f64s(twice, simd.splat_f64s(2.0)))],
-            weights: weights(simd, lower_shares, upper_shares),
+            rows: rows([sides.lower.0, sides.lower.1, sides.lower.2]),
+            distances: sides.distances.map(cast),
+            weights: weights(simd, sides.shares[0], sides.shares[1]),
         }
     }
 
     /// The sum over the corners.
     #[inline(always)]
-    fn sum<S: Lanes>(&self, simd: S) -> f64 {
+    pub(super) fn sum<S: Lanes>(&self, simd: S) -> f64 {
         let [lower, upper] = &self.distances;
         let x = f64x4(lower[0], upper[0], lower[0], upper[0]);
         let y = f64x4(lower[1], lower[1], upper[1], upper[1]);
@@ -223,7 +193,7 @@ impl Cell {
 
     /// The vector noise.
     #[inline(always)]
-    fn vector_noise<S: Lanes>(&self, simd: S) -> f64x4 {
+    pub(super) fn vector_noise<S: Lanes>(&self, simd: S) -> f64x4 {
         let mut sum = simd.splat_f64s(0.0);
         for k in 0..8 {
             let [x, y, z] = [self.distances[k & 1][0], self.distances[k >> 1 & 1][1], self.distances[k >> 2][2]];
@@ -235,13 +205,14 @@ impl Cell {
     }
 }
 
-/// Table rows of corners, from the lattice coordinates of the lower and of the upper sides, modulo 65,536.
+/// Table rows of corners, from the lattice coordinates of the lower sides, modulo 65,536.
 #[inline(always)]
-fn rows([x, y, z, _]: [u64; 4], [u, v, w, _]: [u64; 4]) -> [u32; 8] {
+pub(super) fn rows([x, y, z]: [u64; 3]) -> [u32; 8] {
     // Known to be in the permutation, so that no index is checked.
     let index = |c: u64| usize::from(c as u16);
-    let (y, z, v, w) = (index(y), index(z), index(v), index(w));
-    let (x, u) = (permuted(index(x)), permuted(index(u)));
+    let (u, v, w) = (index(x.wrapping_add(1)), index(y.wrapping_add(1)), index(z.wrapping_add(1)));
+    let (x, y, z) = (index(x), index(y), index(z));
+    let (x, u) = (permuted(x), permuted(u));
     let (a, b, c, d) = (permuted(x ^ y), permuted(u ^ y), permuted(x ^ v), permuted(u ^ v));
     let row = |i: usize| permuted(i) as u32;
     [row(a ^ z), row(b ^ z), row(c ^ z), row(d ^ z), row(a ^ w), row(b ^ w), row(c ^ w), row(d ^ w)]
@@ -257,7 +228,7 @@ fn weights<S: Lanes>(simd: S, lower: f64x4, upper: f64x4) -> [[f64; 4]; 2] {
 
 /// The values of corners, from the four entries of their rows and twice the distances along x, y and z.
 #[inline(always)]
-fn slopes<S: Lanes>(simd: S, entries: &[f64x4; 4], [x, y, z]: [f64x4; 3]) -> f64x4 {
+pub(super) fn slopes<S: Lanes>(simd: S, entries: &[f64x4; 4], [x, y, z]: [f64x4; 3]) -> f64x4 {
     let slopes = simd.add_f64s(entries[0], simd.mul_f64s(entries[1], x));
     let slopes = simd.add_f64s(slopes, simd.mul_f64s(entries[2], y));
     simd.add_f64s(slopes, simd.mul_f64s(entries[3], z))
@@ -265,7 +236,7 @@ fn slopes<S: Lanes>(simd: S, entries: &[f64x4; 4], [x, y, z]: [f64x4; 3]) -> f64
 
 /// The four entries of a row, modulo 256.
 #[inline(always)]
-fn table_row<T, const N: usize>(table: &[T; N], row: u32) -> &[T; 4] {
+pub(super) fn table_row<T, const N: usize>(table: &[T; N], row: u32) -> &[T; 4] {
     const { assert!(N >= 256 + 3) };
     let row = row as usize % 256;
     table[row..].first_chunk().expect("the table goes on after its last row")
@@ -319,31 +290,25 @@ mod tests {
 
     const SCALING: Scaling = Scaling { shift: 1.1, factor: 0.45 };
 
-    /// Every noise of a series, with and without AVX2, has the bits of the plain formula.
-    fn check(series: Series, count: usize) {
-        let points: Vec<_> = std::iter::successors(Some(1.0), |f| Some(f * series.factor))
-            .take(count)
-            .map(|frequency| series.point * frequency)
-            .collect();
+    /// Noises at a point, at `factor` times it and so on, with and without AVX2, have the bits of the plain formula.
+    fn check(point: DVec3, factor: f64, count: usize) {
+        let frequencies = std::iter::successors(Some(1.0), |f| Some(f * factor)).take(count);
+        let points: Vec<_> = frequencies.map(|frequency| point * frequency).collect();
         let expected: Vec<_> = points.iter().map(|p| plain(*p)).collect();
-        let (mut noises, mut scalar) = (vec![0.0; count], vec![0.0; count]);
-        series.noises(&SCALING, &mut noises);
-        Noises { series, scaling: &SCALING, noises: &mut scalar }.run(Scalar256b);
-        for i in 0..count {
-            let sums = [dispatch(Noise(points[i])), Noise(points[i]).run(Scalar256b)];
-            assert!(sums.iter().all(|n| *n == expected[i].x), "{series:?}: {sums:?} for {}", expected[i].x);
-            let scaled = ((expected[i].x + 1.1) * 0.45).clamp(0.0, 1.0);
-            let all = [noise(&SCALING, points[i]), noises[i], scalar[i]];
-            assert!(all.iter().all(|n| *n == scaled), "{series:?}: {all:?} for {scaled}");
-            let vectors = [vector_noise(points[i]), VectorNoise(points[i]).run(Scalar256b)];
-            assert!(vectors.iter().all(|v| *v == expected[i]), "{series:?}: {vectors:?} for {}", expected[i]);
+        for (p, expected) in points.iter().zip(&expected) {
+            let scaled = ((expected.x + 1.1) * 0.45).clamp(0.0, 1.0);
+            assert_eq!(noise(&SCALING, *p), scaled, "{p}");
+            let sums = [dispatch(Noise(*p)), Noise(*p).run(Scalar256b)];
+            assert!(sums.iter().all(|n| *n == expected.x), "{p}: {sums:?} for {}", expected.x);
+            let vectors = [vector_noise(*p), VectorNoise(*p).run(Scalar256b)];
+            assert!(vectors.iter().all(|v| v == expected), "{p}: {vectors:?} for {expected}");
         }
         let ratio = f64::from(0.55_f32);
         let weights = std::iter::successors(Some(1.0), |w| Some(w * ratio));
         let sum: DVec3 = expected.iter().zip(weights.clone()).map(|(v, w)| w * *v).sum();
         let absolute: DVec3 = expected.iter().zip(weights).map(|(v, w)| w * v.abs()).sum();
-        assert!(series.vector_sum::<false>(count, ratio) == sum, "{series:?}");
-        assert!(VectorSum::<true> { series, count, ratio }.run(Scalar256b) == absolute, "{series:?}");
+        assert_eq!(vector_sum::<false>(point, factor, count, ratio), sum, "{point}, {factor}");
+        assert_eq!(VectorSum::<true> { point, factor, count, ratio }.run(Scalar256b), absolute, "{point}, {factor}");
     }
 
     #[test]
@@ -353,11 +318,11 @@ mod tests {
         for i in 0..4000 {
             let size = 10.0_f64.powi(i % 8 - 2);
             let point = size * DVec3::new(next(), next(), next());
-            check(Series { point, factor: 2.0 + next() }, 1 + i as usize % MAX_OCTAVES);
+            check(point, 2.0 + next(), 1 + i as usize % MAX_OCTAVES);
         }
         // Whole and nearly whole coordinates, where the cell changes.
         for c in [0.0, -0.0, 1.0, -1.0, -1e-10, -1e-11, 0.5, -4096.0, 1e5] {
-            check(Series { point: DVec3::new(c, 2.0 * c, -c), factor: 2.0 }, 10);
+            check(DVec3::new(c, 2.0 * c, -c), 2.0, 10);
         }
     }
 }

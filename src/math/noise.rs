@@ -6,8 +6,8 @@
 //!
 //! Source: sections 5.2 to 5.5 of the function facts, measured on POV-Ray 3.7.0.10.
 
-use super::lattice::{self, Scaling, Series};
-use super::{DVec3, floor};
+use super::lattice::{self, Scaling};
+use super::{DVec3, LANES, Points, each_lane, floor, lattice_points};
 use std::sync::LazyLock;
 use wide::f64x2;
 
@@ -91,6 +91,15 @@ pub fn noise(generator: NoiseGenerator, p: DVec3) -> f64 {
         NoiseGenerator::Original => lattice::noise(&ORIGINAL, p),
         NoiseGenerator::Corrected => lattice::noise(&CORRECTED, p),
         NoiseGenerator::Perlin => perlin(p),
+    }
+}
+
+/// The noise at each of four points.
+pub fn noise_of_points(generator: NoiseGenerator, points: &Points) -> [f64; LANES] {
+    match generator {
+        NoiseGenerator::Original => lattice_points::noises(&ORIGINAL, points),
+        NoiseGenerator::Corrected => lattice_points::noises(&CORRECTED, points),
+        NoiseGenerator::Perlin => points.map(perlin),
     }
 }
 
@@ -178,14 +187,18 @@ impl Octaves {
 /// Sum of vector noises of rising frequency.
 #[inline(always)]
 pub fn vector_turbulence(octaves: Octaves, p: DVec3) -> DVec3 {
-    let series = Series { point: p, factor: f64::from(octaves.lambda) };
-    series.vector_sum::<false>(octaves.count(), f64::from(octaves.omega))
+    lattice::vector_sum::<false>(p, f64::from(octaves.lambda), octaves.count(), f64::from(octaves.omega))
+}
+
+/// [`vector_turbulence`] at each of four points.
+pub fn vector_turbulence_of_points(octaves: Octaves, points: &Points) -> Points {
+    lattice_points::vector_sums(points, f64::from(octaves.lambda), octaves.count(), f64::from(octaves.omega))
 }
 
 /// Sum of the absolute values of `count` vector noises, each with twice the frequency and half the weight of the one
 /// before.
 pub fn halving_vector_noises(p: DVec3, count: usize) -> DVec3 {
-    Series { point: p, factor: 2.0 }.vector_sum::<true>(count, 0.5)
+    lattice::vector_sum::<true>(p, 2.0, count, 0.5)
 }
 
 /// Sum of noises of rising frequency.
@@ -200,14 +213,30 @@ fn turbulence_at(generator: NoiseGenerator, octaves: Octaves, x: f64, y: f64, z:
     let mut room = [0.0; MAX_OCTAVES];
     let noises = &mut room[..octaves.count()];
     fill(generator, DVec3::new(x, y, z), f64::from(octaves.lambda), noises);
+    sum(generator, octaves, noises.iter().copied())
+}
+
+/// [`turbulence`] at each of four points.
+pub fn turbulence_of_points(generator: NoiseGenerator, octaves: Octaves, points: &Points) -> [f64; LANES] {
+    let mut room = [[0.0; LANES]; MAX_OCTAVES];
+    let noises = &mut room[..octaves.count()];
+    fill_points(generator, points, f64::from(octaves.lambda), noises);
+    each_lane(|i| sum(generator, octaves, noises.iter().map(|lanes| lanes[i])))
+}
+
+/// The sum of octaves.
+#[inline(always)]
+fn sum(generator: NoiseGenerator, octaves: Octaves, noises: impl Iterator<Item = f64>) -> f64 {
     let octave = |noise: f64| match generator {
         NoiseGenerator::Original => noise,
         _ => 2.0 * noise - 0.5,
     };
     let omega = f64::from(octaves.omega);
+    let mut noises = noises.map(octave);
+    let first = noises.next().unwrap_or_default().clamp(0.0, 1.0);
     let mut weight = omega;
-    noises[1..].iter().fold(octave(noises[0]).clamp(0.0, 1.0), |sum, noise| {
-        let weighted = weight * octave(*noise);
+    noises.fold(first, |sum, octave| {
+        let weighted = weight * octave;
         weight *= omega;
         sum + weighted
     })
@@ -223,17 +252,43 @@ pub fn noises<const COUNT: usize>(generator: NoiseGenerator, p: DVec3, factor: f
     noises
 }
 
+/// [`noises`] at each of four points.
+pub fn noises_of_points<const COUNT: usize>(
+    generator: NoiseGenerator,
+    points: &Points,
+    factor: f64,
+) -> [[f64; LANES]; COUNT] {
+    let mut noises = [[0.0; LANES]; COUNT];
+    fill_points(generator, points, factor, &mut noises);
+    noises
+}
+
 #[inline(always)]
 fn fill(generator: NoiseGenerator, p: DVec3, factor: f64, noises: &mut [f64]) {
-    let series = Series { point: p, factor };
     match generator {
-        NoiseGenerator::Original => series.noises(&ORIGINAL, noises),
-        NoiseGenerator::Corrected => series.noises(&CORRECTED, noises),
+        NoiseGenerator::Original => lattice_points::noises_of_one(&ORIGINAL, p, factor, noises),
+        NoiseGenerator::Corrected => lattice_points::noises_of_one(&CORRECTED, p, factor, noises),
         NoiseGenerator::Perlin => {
-            let frequencies = std::iter::successors(Some(1.0), |f| Some(f * factor));
-            noises.iter_mut().zip(frequencies).for_each(|(noise, frequency)| *noise = perlin(p * frequency));
+            noises.iter_mut().zip(frequencies(factor)).for_each(|(noise, frequency)| *noise = perlin(p * frequency));
         }
     }
+}
+
+#[inline(always)]
+fn fill_points(generator: NoiseGenerator, points: &Points, factor: f64, noises: &mut [[f64; LANES]]) {
+    match generator {
+        NoiseGenerator::Original => lattice_points::series_noises(&ORIGINAL, points, factor, noises),
+        NoiseGenerator::Corrected => lattice_points::series_noises(&CORRECTED, points, factor, noises),
+        NoiseGenerator::Perlin => {
+            let series = noises.iter_mut().zip(frequencies(factor));
+            series.for_each(|(noises, frequency)| *noises = points.map(|p| perlin(p * frequency)));
+        }
+    }
+}
+
+/// 1, `factor`, and so on; products round one after the other.
+fn frequencies(factor: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(1.0), move |f| Some(f * factor))
 }
 
 #[cfg(test)]
@@ -265,6 +320,22 @@ mod tests {
         assert_eq!(g.permutation[..6], [0, 1, 386, 3, 649, 1576]);
         assert!((g.gradients[0][0] - 0.60442506942642).abs() < 1e-14);
         assert!((g.gradients[2047][1] - 0.65198806126422).abs() < 1e-14);
+    }
+
+    #[test]
+    fn four_points_have_the_bits_of_each() {
+        let octaves = Octaves { count: 7, lambda: 2.1, omega: 0.55 };
+        for step in [0.0, 0.003, 0.4, -70.0] {
+            let points = Points::from(each_lane(|i| DVec3::new(-0.3, 1.7, 0.2) + i as f64 * step * DVec3::NEG_X));
+            for generator in GENERATORS {
+                assert_eq!(noise_of_points(generator, &points), points.map(|p| noise(generator, p)));
+                let expected = points.map(|p| turbulence(generator, octaves, p));
+                assert_eq!(turbulence_of_points(generator, octaves, &points), expected, "{generator:?}, {step}");
+                let expected = points.map(|p| noises::<10>(generator, p, 2.0));
+                let found = noises_of_points::<10>(generator, &points, 2.0);
+                assert_eq!(each_lane(|i| found.map(|lanes| lanes[i])), expected, "{generator:?}, {step}");
+            }
+        }
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Sines of four angles at a time.
 
 use super::floor::TO_WHOLE;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, Work, dispatch};
+use bytemuck::cast;
 use pulp::f64x4;
 use std::f64::consts::{FRAC_1_PI, PI};
 
@@ -47,6 +48,22 @@ pub(crate) fn sines<S: Lanes>(simd: S, angles: f64x4) -> f64x4 {
     simd.mul_f64s(sine, simd.sub_f64s(simd.splat_f64s(1.0), simd.add_f64s(odd, odd)))
 }
 
+/// The sines of four angles, as [`sines`].
+pub(crate) fn sines_of(angles: [f64; 4]) -> [f64; 4] {
+    dispatch(Sines(angles))
+}
+
+struct Sines([f64; 4]);
+
+impl Work for Sines {
+    type Output = [f64; 4];
+
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) -> [f64; 4] {
+        cast(sines(simd, cast(self.0)))
+    }
+}
+
 /// The series from its second term on; not one term after the other, which takes three times as long.
 #[inline(always)]
 fn tail<S: Lanes>(simd: S, z: f64x4) -> f64x4 {
@@ -71,30 +88,17 @@ fn rounded<S: Lanes>(simd: S, v: f64x4) -> f64x4 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::lanes::{Work, dispatch};
-    use bytemuck::cast;
     use pulp::Scalar256b;
 
     /// As the sines promise.
     const ERROR: f64 = 4e-16;
-
-    struct Sines([f64; 4]);
-
-    impl Work for Sines {
-        type Output = [f64; 4];
-
-        #[inline(always)]
-        fn run<S: Lanes>(self, simd: S) -> [f64; 4] {
-            cast(sines(simd, cast(self.0)))
-        }
-    }
 
     #[test]
     fn sines_are_those_of_the_library_on_every_processor() {
         for i in -20_000..20_000 {
             let a = f64::from(i);
             let angles = [0.013 * a, 0.5 * PI * a, 27.1 * a, 173.3 * a];
-            let found = dispatch(Sines(angles));
+            let found = sines_of(angles);
             assert_eq!(found, Sines(angles).run(Scalar256b), "{angles:?}");
             for (angle, sine) in angles.into_iter().zip(found) {
                 assert!((sine - angle.sin()).abs() < ERROR, "{sine} instead of {} at {angle}", angle.sin());

@@ -26,6 +26,11 @@ impl Uv {
             Self::Around(direction) => spherical_uv(direction.normalize_or(DVec3::X)),
         }
     }
+
+    /// Where patterns are looked up by them: (u, v, 0).
+    pub fn lookup_point(self) -> DVec3 {
+        self.get().extend(0.0)
+    }
 }
 
 /// Longitude from +x towards +z and latitude from -y to +y of a unit vector, each over 0 ..= 1.

@@ -9,6 +9,7 @@ use super::ray::Radiance;
 use super::tracer::Tracer;
 use crate::math::Rgb;
 use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 
 /// How edges are smoothed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,21 +38,22 @@ const COMPARE_GAMMA: f32 = 2.5;
 
 impl Antialias {
     /// Where a sample meant for a position is taken.
-    fn displaced(&self, x: f64, y: f64) -> (f64, f64) {
+    fn displaced(&self, x: f64, y: f64) -> [f64; 2] {
         if self.jitter == 0.0 {
-            return (x, y);
+            return [x, y];
         }
         let cells = match self.method {
             Method::Grid => f64::from(self.depth),
             Method::Adaptive => f64::from((1u32 << self.depth) + 1),
         };
         let [dx, dy] = jitter(x, y);
-        (x + self.jitter / cells * dx, y + self.jitter / cells * dy)
+        [x + self.jitter / cells * dx, y + self.jitter / cells * dy]
     }
 
-    fn sample<G: Gather>(&self, tracer: &mut Tracer<'_>, x: f64, y: f64) -> G {
-        let (x, y) = self.displaced(x, y);
-        tracer.camera_ray(x, y)
+    /// Samples meant for some positions.
+    fn samples<G: Gather>(&self, tracer: &mut Tracer<'_>, positions: impl Iterator<Item = [f64; 2]>) -> Vec<G> {
+        let displaced: SmallVec<[[f64; 2]; 9]> = positions.map(|[x, y]| self.displaced(x, y)).collect();
+        tracer.camera_rays(&displaced)
     }
 
     fn differ(&self, tracer: &Tracer<'_>, a: &Radiance, b: &Radiance) -> bool {
@@ -84,17 +86,23 @@ impl Antialias {
         let mut pixels = vec![G::default(); stride * (height + 1)];
         let mut refined = vec![false; pixels.len()];
         (0..stride).for_each(|i| refined[i] = true);
-        for (i, helper) in pixels[1..stride].iter_mut().enumerate() {
-            *helper = tracer.camera_ray((left + i) as f64, top as f64 - 1.0);
+        let (x, y) = (left as f64, top as f64);
+        let above: Vec<_> = (0..width).map(|i| [x + i as f64, y - 1.0]).collect();
+        pixels.splice(1..stride, tracer.camera_rays(&above));
+        let beside: Vec<_> = (0..height).map(|j| [x - 1.0, y + j as f64]).collect();
+        let inside = tracer.camera_grid(width, height, [x, y]);
+        for ((row, first), others) in
+            pixels.chunks_mut(stride).skip(1).zip(tracer.camera_rays(&beside)).zip(inside.chunks(width))
+        {
+            row[0] = first;
+            row[1..].clone_from_slice(others);
         }
         for j in 1..=height {
             let y = (top + j) as f64 - 1.0;
             refined[j * stride] = true;
-            pixels[j * stride] = tracer.camera_ray(left as f64 - 1.0, y);
             for i in 1..stride {
                 let x = (left + i) as f64 - 1.0;
                 let at = j * stride + i;
-                pixels[at] = tracer.camera_ray(x, y);
                 let neighbours = [(at - 1, x - 1.0, y), (at - stride, x, y - 1.0)];
                 let differs =
                     neighbours.map(|(other, ..)| self.differ(tracer, &pixels[at].light(), &pixels[other].light()));
@@ -117,21 +125,15 @@ impl Antialias {
         let n = self.depth;
         let offset = |i: u32| -0.5 + 1.0 / f64::from(2 * n) + f64::from(i) / f64::from(n);
         let mut sum = std::mem::take(pixel);
-        for j in 0..n {
-            for i in 0..n {
-                sum.add_scaled(&self.sample(tracer, x + offset(i), y + offset(j)), 1.0);
-            }
-        }
+        let grid = (0..n * n).map(|k| [x + offset(k % n), y + offset(k / n)]);
+        self.samples(tracer, grid).iter().for_each(|sample| sum.add_scaled(sample, 1.0));
         *pixel = sum.scaled(1.0 / (n * n + 1) as f32);
     }
 
     fn adaptive_block<G: Gather>(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<G> {
         let Block { x: left, y: top, width, height } = *block;
         let stride = width + 1;
-        let corner = |tracer: &mut Tracer<'_>, i: usize| {
-            tracer.camera_ray((left + i % stride) as f64 - 0.5, (top + i / stride) as f64 - 0.5)
-        };
-        let corners: Vec<G> = (0..stride * (height + 1)).map(|i| corner(tracer, i)).collect();
+        let corners: Vec<G> = tracer.camera_grid(stride, height + 1, [left as f64 - 0.5, top as f64 - 0.5]);
         let mut pixels = Vec::with_capacity(width * height);
         let mut known = FxHashMap::default();
         for j in 0..height {
@@ -172,12 +174,12 @@ impl Antialias {
         let half = 1u32 << (square.level - 1);
         // The finest grid has 2^(depth - 1) cells along an edge.
         let cell = 1.0 / f64::from(1u32 << (self.depth - 1));
-        let mut at = |dx: u32, dy: u32| {
-            let place = [square.place[0] + dx * half, square.place[1] + dy * half];
-            let (x, y) = (square.x + f64::from(place[0]) * cell, square.y + f64::from(place[1]) * cell);
-            known.entry(place).or_insert_with(|| self.sample(tracer, x, y)).clone()
-        };
-        let (left, top, right, bottom, middle) = (at(0, 1), at(1, 0), at(2, 1), at(1, 2), at(1, 1));
+        let places = [[0, 1], [1, 0], [2, 1], [1, 2], [1, 1]]
+            .map(|[dx, dy]: [u32; 2]| [square.place[0] + dx * half, square.place[1] + dy * half]);
+        let new: SmallVec<[[u32; 2]; 5]> = places.into_iter().filter(|place| !known.contains_key(place)).collect();
+        let position = |[i, j]: &[u32; 2]| [square.x + f64::from(*i) * cell, square.y + f64::from(*j) * cell];
+        known.extend(new.iter().copied().zip(self.samples(tracer, new.iter().map(position))));
+        let [left, top, right, bottom, middle] = places.map(|place| known[&place].clone());
         let quarters = [
             ([0, 0], [&corners[0], &top, &left, &middle]),
             ([1, 0], [&top, &corners[1], &middle, &right]),

@@ -123,9 +123,7 @@ fn blocks(window: &Region) -> Vec<Block> {
 
 fn render_block<G: Gather>(tracer: &mut Tracer<'_>, options: &Options, block: &Block) -> Vec<G> {
     let Some(antialias) = &options.antialias else {
-        let pixels =
-            (block.y..block.y + block.height).flat_map(|y| (block.x..block.x + block.width).map(move |x| (x, y)));
-        return pixels.map(|(x, y)| tracer.camera_ray(x as f64, y as f64)).collect();
+        return tracer.camera_grid(block.width, block.height, [block.x as f64, block.y as f64]);
     };
     if antialias.method == Method::Adaptive {
         return antialias.block(tracer, block);

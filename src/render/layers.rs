@@ -5,6 +5,7 @@
 use super::finish::{self, Reflectivity};
 use super::gather::{Gather, Term};
 use super::lights::{LightCache, Skin};
+use super::neighbours::Neighbour;
 use super::ray::{Path, Radiance};
 use super::refraction::relative_ior;
 use super::tracer::Tracer;
@@ -21,6 +22,8 @@ pub(super) struct Place<'p> {
     /// Length of the ray up to here.
     pub(super) length: f64,
     pub(super) lights: LightCache,
+    /// Where neighbours share work.
+    pub(super) neighbour: Option<Neighbour<'p>>,
 }
 
 impl Place<'_> {
@@ -109,7 +112,8 @@ impl Tracer<'_> {
             if depth == 0 {
                 top_normal = normal;
             }
-            let pigment = self.layer_color(layer, point, place);
+            let neighbour = place.neighbour.filter(|_| plain);
+            let pigment = self.layer_color(layers, layers.len() - 1 - depth, point, place, neighbour);
             let color = pigment.unwrap_or_default();
             if self.options.flat() {
                 found.add(Term::Emission, Radiance { rgb: color.rgb, transparency: 0.0 });
@@ -170,11 +174,20 @@ impl Tracer<'_> {
         }
     }
 
-    fn layer_color(&self, layer: &Layer, point: DVec3, place: &Place<'_>) -> Option<Color> {
+    fn layer_color(
+        &self,
+        layers: &[Layer],
+        index: usize,
+        point: DVec3,
+        place: &Place<'_>,
+        neighbour: Option<Neighbour<'_>>,
+    ) -> Option<Color> {
+        let layer = &layers[index];
         if let (true, Some(quick)) = (self.options.quick_colors(), layer.quick_color) {
             return Some(quick);
         }
-        layer.pigment.color(point, &place.context)
+        let known = neighbour.and_then(|neighbour| neighbour.color(index));
+        known.unwrap_or_else(|| layer.pigment.color(point, &place.context))
     }
 
     /// A layer as light meets it.

@@ -18,6 +18,7 @@ mod jitter;
 mod layers;
 mod lights;
 mod mesh_camera;
+mod neighbours;
 mod options;
 mod random;
 mod ray;

@@ -141,7 +141,7 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for seen in &surface.textures {
             let texture = self.world.texture(seen.texture);
-            let (point, texture_from_world) = lookup(self.world, surface, &context, hit, seen);
+            let (point, texture_from_world) = lookup(self.world, surface, hit, seen);
             let mut frame = Frame::new(texture_from_world.as_deref());
             let caustics = texture.top_layer().and_then(|top| top.finish.caustics).unwrap_or(caustics);
             sum += seen.weight * self.transmittance(texture, point, &mut frame, &mut context, caustics);

@@ -5,13 +5,14 @@ use super::focal_blur::Lens;
 use super::gather::{Gather, Term};
 use super::layers::Place;
 use super::lights::LightCache;
+use super::neighbours::Neighbour;
 use super::options::Options;
 use super::random::Random;
 use super::ray::{Inside, Interiors, Path, Radiance, Statistics};
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
 use crate::compiled::geometry::{Hit, RayKind, Scratch, Surface, TextureRef};
-use crate::compiled::texture::{Context, Frame};
+use crate::compiled::texture::{Context, Frame, Texture};
 use crate::math::{DVec3, Range, Ray, Transform};
 use std::borrow::Cow;
 use std::rc::Rc;
@@ -34,6 +35,8 @@ pub(super) struct Tracer<'w> {
     pub(super) all_opaque: bool,
     /// Whether it makes a difference which objects a camera ray starts in.
     interiors_matter: bool,
+    /// Whether neighbours among camera rays may share work.
+    pub(super) side_by_side: bool,
     /// Where the camera is, for projections with one centre.
     camera_interiors: Option<Interiors>,
     /// Of a camera with depth of field.
@@ -51,6 +54,7 @@ impl<'w> Tracer<'w> {
             statistics: Statistics::default(),
             all_opaque: world.all_opaque(),
             interiors_matter: world.interiors_matter(),
+            side_by_side: one_ray_a_position(world) && world.textures.iter().any(Texture::is_side_by_side),
             camera_interiors: None,
             lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(blur))),
         };
@@ -70,7 +74,7 @@ impl<'w> Tracer<'w> {
 
     /// The light through a continuous image position, pixel centres being integers.
     pub(super) fn camera_ray<G: Gather>(&mut self, x: f64, y: f64) -> G {
-        self.random = Random::at(x, y);
+        self.start_at(x, y);
         let camera = &self.world.camera;
         if let Some(blur) = &camera.blur {
             return self.blurred(blur, x, y);
@@ -88,6 +92,20 @@ impl<'w> Tracer<'w> {
     // Always inline, as what makes the ray: it is put together where it stays.
     #[inline(always)]
     pub(super) fn follow<G: Gather>(&mut self, ray: Ray, far: f64) -> G {
+        let path = self.camera_path(ray, far);
+        let mut found: G = self.trace(&path);
+        found.note_sample();
+        found
+    }
+
+    /// Draws random numbers from now on that belong to an image position.
+    pub(super) fn start_at(&mut self, x: f64, y: f64) {
+        self.random = Random::at(x, y);
+    }
+
+    /// The path of a ray that starts at the camera.
+    #[inline(always)]
+    pub(super) fn camera_path(&mut self, ray: Ray, far: f64) -> Path {
         self.statistics.camera_rays += 1;
         let known = self.camera_interiors.is_some() && self.is_clear(ray.origin);
         let interiors = match &self.camera_interiors {
@@ -96,9 +114,7 @@ impl<'w> Tracer<'w> {
         };
         let range = Range { min: CAMERA_NEAR, max: far };
         let kind = RayKind::Camera;
-        let mut found: G = self.trace(&Path { ray, range, kind, level: 1, weight: 1.0, interiors, wavelength: None });
-        found.note_sample();
-        found
+        Path { ray, range, kind, level: 1, weight: 1.0, interiors, wavelength: None }
     }
 
     /// Whether nothing lies between the middle of the lens and a point of it: then both are inside the same objects.
@@ -134,10 +150,22 @@ impl<'w> Tracer<'w> {
             return G::default();
         }
         let hit = self.world.geometry.intersect(&path.ray, path.range, path.kind, &mut self.scratch);
-        let mut found = G::default();
-        let length = match &hit {
+        match &hit {
             Some(hit) => {
-                self.shade(path, hit, &mut found);
+                let surface = self.world.geometry.surface(&path.ray, hit);
+                self.arrive(path, Some((hit, &surface)), None)
+            }
+            None => self.arrive(path, None, None),
+        }
+    }
+
+    /// The light from what a ray met.
+    #[inline(always)]
+    fn arrive<G: Gather>(&mut self, path: &Path, met: Option<(&Hit, &Surface)>, neighbour: Option<Neighbour<'_>>) -> G {
+        let mut found = G::default();
+        let length = match met {
+            Some((hit, surface)) => {
+                self.shade(path, hit, surface, neighbour, &mut found);
                 hit.t
             }
             None => {
@@ -151,23 +179,47 @@ impl<'w> Tracer<'w> {
         found
     }
 
-    fn shade<G: Gather>(&mut self, path: &Path, hit: &Hit, found: &mut G) {
+    /// The light from what a camera ray met.
+    pub(super) fn seen<G: Gather>(
+        &mut self,
+        path: &Path,
+        met: Option<(&Hit, &Surface)>,
+        neighbour: Option<Neighbour<'_>>,
+    ) -> G {
+        let mut found: G = self.arrive(path, met, neighbour);
+        found.note_sample();
+        found
+    }
+
+    fn shade<G: Gather>(
+        &mut self,
+        path: &Path,
+        hit: &Hit,
+        surface: &Surface,
+        neighbour: Option<Neighbour<'_>>,
+        found: &mut G,
+    ) {
         let world = self.world;
-        let surface = world.geometry.surface(&path.ray, hit);
-        let context = context_at(&surface, path.ray.direction);
-        let mut place = Place { path, surface: &surface, context, length: hit.t, lights: LightCache::default() };
+        let context = context_at(surface, path.ray.direction);
+        let mut place = Place { path, surface, context, length: hit.t, lights: LightCache::default(), neighbour };
         for seen in &surface.textures {
             if seen.weight < world.settings.adc_bailout {
                 continue;
             }
-            let (point, texture_from_world) = lookup(world, &surface, &place.context, hit, seen);
+            let (point, texture_from_world) = lookup(world, surface, hit, seen);
             let mut frame = Frame::new(texture_from_world.as_deref());
             let texture = world.texture(seen.texture);
             let shaded: G = self.shade_texture(texture, point, &mut frame, &mut place, true);
             found.add_scaled(&shaded, seen.weight);
         }
-        found.note_hit(&surface, hit.t, place.facing());
+        found.note_hit(surface, hit.t, place.facing());
     }
+}
+
+/// Whether each image position has one ray that always counts.
+fn one_ray_a_position(world: &World) -> bool {
+    let camera = &world.camera;
+    camera.blur.is_none() && !matches!(camera.projection, Projection::Mesh(_)) && world.settings.adc_bailout <= 1.0
 }
 
 /// What patterns may ask about a surface before any bump.
@@ -182,12 +234,11 @@ pub(super) fn context_at(surface: &Surface, direction: DVec3) -> Context {
 pub(super) fn lookup<'w>(
     world: &'w World,
     surface: &Surface,
-    context: &Context,
     hit: &Hit,
     seen: &TextureRef,
 ) -> (DVec3, Option<Cow<'w, Transform>>) {
     if surface.uv_mapping {
-        return (context.uv_point(), None);
+        return (surface.uv.lookup_point(), None);
     }
     let texture_from_world = world.geometry.texture_from_world(hit, seen);
     (texture_from_world.point(surface.point), Some(texture_from_world))

@@ -92,6 +92,7 @@ impl<'s> TextureCompiler<'s> {
             pigment.unfilter();
         }
         Ok(Layer {
+            side_by_side: pigment.is_side_by_side(),
             pigment,
             normal,
             finish: finish::compile(&layer.finish, self.settings),

@@ -74,7 +74,7 @@ impl<T> Blend<T> {
     /// The last entry at and above its value; else the first entry not below the value, alone
     /// if it is the first or lies exactly there, blended with its predecessor otherwise. NaN
     /// takes the first. Source: pattern facts, section 11 (measured).
-    #[inline]
+    #[inline(always)]
     pub fn pick(&self, value: f64) -> Pick<'_, T> {
         let (values, items, sorted) = match self {
             Self::Average(all) => return Pick::All(all),
@@ -85,7 +85,9 @@ impl<T> Blend<T> {
             return Pick::One(&items[last]);
         }
         // The last entry lies above the value, so there is a first such entry unless the value is NaN.
-        let j = if sorted && values.len() > FEW {
+        let j = if let [first, _] = **values {
+            usize::from(value > first)
+        } else if sorted && values.len() > FEW {
             values.partition_point(|e| *e < value)
         } else {
             values.iter().position(|e| *e >= value).unwrap_or(0)

@@ -1,8 +1,10 @@
-//! The formulas of patterns: here those that need neither noise nor tables.
+//! The formulas of patterns: which is which, and those that need neither noise nor tables.
 
-use super::{Context, Pattern, PatternKind, Pigment, crackle, noise_formula};
+use super::lookup::{AtPoint, AtPoints, Lookup};
+use super::noise_formula::GRANITE_SCALE;
+use super::{Context, InnerTurbulence, Pattern, PatternKind, crackle, noise_formula};
 use crate::math::noise::{noise, vector_noise};
-use crate::math::{DVec3, floor, fraction, gray, modulo, round};
+use crate::math::{DVec3, LANES, Points, Uv, floor, fraction, modulo, round};
 use std::f64::consts::{PI, TAU};
 
 /// POV-Ray's offset that keeps exact borders on the upper cell.
@@ -10,71 +12,101 @@ const CELL_OFFSET: f64 = 1e-10;
 /// Height of a triangle of side 1.
 const TRIANGLE_HEIGHT: f64 = 0.866_025_403_784_438_6;
 
-/// The raw value, before frequency and wave.
+/// The raw value, before frequency and wave. Formulas that are short are inlined.
 #[inline(always)]
 pub(super) fn value(pattern: &Pattern, p: DVec3, context: &Context) -> f64 {
     match &pattern.kind {
         PatternKind::None => 0.0,
-        PatternKind::Boxed => falling(p.abs().max_element()),
+        PatternKind::Boxed => boxed(p),
         PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => noise(*generator, p),
         PatternKind::Checker => checker(p),
-        PatternKind::Gradient(direction) => wrapped(p.dot(*direction)),
-        PatternKind::Onion => fraction(p.length()),
-        PatternKind::Planar => falling(p.y.abs()),
-        PatternKind::Spherical => falling(p.length()),
+        PatternKind::Gradient(direction) => gradient(p, *direction),
+        PatternKind::Onion => onion(p),
+        PatternKind::Planar => planar(p),
+        PatternKind::Spherical => spherical(p),
         _ => elaborate(pattern, p.x, p.y, p.z, context),
     }
 }
 
-/// The raw value of a formula that is worth a call, at (x, y, z): a point would go through memory, where it is
-/// written number by number and read in pairs, for which the processor waits. Formulas that are short are inlined for
-/// the same reason.
+/// The raw value of a formula that is worth a call.
 #[inline(never)]
 fn elaborate(pattern: &Pattern, x: f64, y: f64, z: f64, context: &Context) -> f64 {
-    // One for each formula: so none of them goes through memory for the sake of another.
-    let p = || DVec3::new(x, y, z);
+    raw(pattern, AtPoint { x, y, z, context })
+}
+
+/// The raw values at four points, each with its surface coordinates, of a pattern that does not see normals.
+pub(super) fn values(pattern: &Pattern, points: &Points, uvs: &[Uv; LANES]) -> [f64; LANES] {
+    raw(pattern, AtPoints { points, uvs })
+}
+
+/// The raw value wherever a pattern is looked up.
+#[inline(always)]
+fn raw<L: Lookup>(pattern: &Pattern, at: L) -> L::Values {
     match &pattern.kind {
-        PatternKind::Agate { generator, octaves, amount } => noise_formula::agate(*generator, *octaves, *amount, p()),
-        PatternKind::Aoi => angle_of_incidence(context),
-        PatternKind::Brick { size, mortar, limit } => brick(p(), *size, *mortar, *limit),
-        PatternKind::Cells => crackle::cells(p()),
-        PatternKind::Crackle(crackle) => crackle.value(p()),
-        PatternKind::Cubic => cubic(p()),
-        PatternKind::Cylindrical => falling(x.hypot(z)),
-        PatternKind::Density(file) => file.value(p()),
-        PatternKind::Dents(generator) => noise(*generator, p()).powi(3),
-        PatternKind::Fractal(fractal) => fractal.value(x, y),
-        PatternKind::Function(f) => wrapped(f.at(p())),
-        PatternKind::Granite(generator) => noise_formula::granite(*generator, p()),
-        PatternKind::Hexagon => hexagon(x, z),
-        PatternKind::Image(image, mapping) => image.pattern_value(mapping, p()),
-        PatternKind::Leopard => noise_formula::leopard(p()),
-        PatternKind::Marble(inner) => noise_formula::marble(inner.as_deref(), p()),
-        PatternKind::Material(image, mapping, n) => image.material_index(mapping, p(), *n) as f64,
-        PatternKind::Object(solid) => f64::from(u8::from(solid.contains(p()))),
-        PatternKind::Pavement(pavement) => pavement.value(p()),
-        PatternKind::Pigment(pigment) => gray_at(pigment, p(), context),
-        PatternKind::Quilted(control) => noise_formula::quilted(*control, p()),
-        PatternKind::Radial => radial(p()),
-        PatternKind::Ripples(sources) => sources.ripples(pattern.frequency, pattern.phase, p()),
-        PatternKind::Slope(slope) => slope.value(p(), context),
-        PatternKind::Spiral1(arms, inner) => noise_formula::spiral(*arms, inner.as_deref(), p()),
-        PatternKind::Spiral2(arms, inner) => noise_formula::double_spiral(*arms, inner.as_deref(), p()),
-        PatternKind::Square => square(p()),
-        PatternKind::Tiling(tiling) => tiling.value(p()),
-        PatternKind::Triangular => triangular(x, z),
-        PatternKind::Waves(sources) => sources.waves(pattern.frequency, pattern.phase, p()),
-        PatternKind::Wood(inner) => noise_formula::wood(inner.as_deref(), p()),
-        PatternKind::Wrinkles(generator) => noise_formula::wrinkles(*generator, p()),
-        PatternKind::None
-        | PatternKind::Boxed
-        | PatternKind::Bozo(_)
-        | PatternKind::Bumps(_)
-        | PatternKind::Checker
-        | PatternKind::Gradient(_)
-        | PatternKind::Onion
-        | PatternKind::Planar
-        | PatternKind::Spherical => value(pattern, p(), context),
+        PatternKind::None => at.map(|_| 0.0),
+        PatternKind::Agate { generator, octaves, amount } => {
+            at.map_turbulence(*generator, *octaves, |turbulence, p| noise_formula::agate(*amount, turbulence, p))
+        }
+        PatternKind::Aoi => at.map_context(|_, context| angle_of_incidence(context)),
+        PatternKind::Boxed => at.map(boxed),
+        PatternKind::Bozo(generator) | PatternKind::Bumps(generator) => at.map_noise(*generator, |noise| noise),
+        PatternKind::Brick { size, mortar, limit } => at.map(|p| brick(p, *size, *mortar, *limit)),
+        PatternKind::Cells => at.map(crackle::cells),
+        PatternKind::Checker => at.map(checker),
+        PatternKind::Crackle(crackle) => at.map(|p| crackle.value(p)),
+        PatternKind::Cubic => at.map(cubic),
+        PatternKind::Cylindrical => at.map(|p| falling(p.x.hypot(p.z))),
+        PatternKind::Density(file) => at.map(|p| file.value(p)),
+        PatternKind::Dents(generator) => at.map_noise(*generator, dents),
+        PatternKind::Fractal(fractal) => at.map(|p| fractal.value(p.x, p.y)),
+        PatternKind::Function(f) => at.map(|p| wrapped(f.at(p))),
+        PatternKind::Gradient(direction) => at.map(|p| gradient(p, *direction)),
+        PatternKind::Granite(generator) => {
+            at.map_noises(*generator, GRANITE_SCALE, |noises| noise_formula::granite(*generator, noises))
+        }
+        PatternKind::Hexagon => at.map(|p| hexagon(p.x, p.z)),
+        PatternKind::Image(image, mapping) => at.map(|p| image.pattern_value(mapping, p)),
+        PatternKind::Leopard => at.map_sines(noise_formula::leopard),
+        PatternKind::Marble(inner) => shifted(at, inner.as_deref(), noise_formula::marble),
+        PatternKind::Material(image, mapping, n) => at.map(|p| image.material_index(mapping, p, *n) as f64),
+        PatternKind::Object(solid) => at.map(|p| f64::from(u8::from(solid.contains(p)))),
+        PatternKind::Onion => at.map(onion),
+        PatternKind::Pavement(pavement) => at.map(|p| pavement.value(p)),
+        PatternKind::Pigment(pigment) => at.map_pigment(pigment),
+        PatternKind::Planar => at.map(planar),
+        PatternKind::Quilted(control) => at.map(|p| noise_formula::quilted(*control, p)),
+        PatternKind::Radial => at.map(radial),
+        PatternKind::Ripples(sources) => at.map(|p| sources.ripples(pattern.frequency, pattern.phase, p)),
+        PatternKind::Slope(slope) => at.map_context(|p, context| slope.value(p, context)),
+        PatternKind::Spherical => at.map(spherical),
+        PatternKind::Spiral1(arms, inner) => {
+            shifted(at, inner.as_deref(), |shift, p| noise_formula::spiral(*arms, shift, p))
+        }
+        PatternKind::Spiral2(arms, inner) => {
+            shifted(at, inner.as_deref(), |shift, p| noise_formula::double_spiral(*arms, shift, p))
+        }
+        PatternKind::Square => at.map(square),
+        PatternKind::Tiling(tiling) => at.map(|p| tiling.value(p)),
+        PatternKind::Triangular => at.map(|p| triangular(p.x, p.z)),
+        PatternKind::Waves(sources) => at.map(|p| sources.waves(pattern.frequency, pattern.phase, p)),
+        PatternKind::Wood(None) => at.map(|p| p.x.hypot(p.y)),
+        PatternKind::Wood(Some(inner)) => at.map_vector_turbulence(inner.octaves, |turbulence, p| {
+            noise_formula::wobbling_wood(inner.amount, turbulence, p)
+        }),
+        PatternKind::Wrinkles(generator) => {
+            at.map_noises(*generator, 1.0, |noises| noise_formula::wrinkles(*generator, noises))
+        }
+    }
+}
+
+/// The value of a formula into which turbulence enters as a number, if there is any.
+#[inline(always)]
+fn shifted<L: Lookup>(at: L, inner: Option<&InnerTurbulence>, formula: impl Fn(f64, DVec3) -> f64) -> L::Values {
+    match inner {
+        Some(inner) => {
+            at.map_turbulence(inner.generator, inner.octaves, |turbulence, p| formula(inner.amount.x * turbulence, p))
+        }
+        None => at.map(|p| formula(0.0, p)),
     }
 }
 
@@ -83,7 +115,7 @@ impl Pattern {
     pub(super) fn bump(&self, p: DVec3) -> Option<DVec3> {
         Some(match &self.kind {
             PatternKind::Bumps(_) => vector_noise(p),
-            PatternKind::Dents(generator) => noise(*generator, p).powi(3) * vector_noise(p),
+            PatternKind::Dents(generator) => dents(noise(*generator, p)) * vector_noise(p),
             PatternKind::Wrinkles(_) => noise_formula::wrinkles_bump(p),
             PatternKind::Quilted(control) => noise_formula::quilted_bump(*control, p),
             PatternKind::Ripples(sources) => sources.ripples_bump(self.frequency, self.phase, p),
@@ -91,6 +123,31 @@ impl Pattern {
             _ => return None,
         })
     }
+}
+
+/// Dents: noise of which only the heights stand out.
+fn dents(noise: f64) -> f64 {
+    noise.powi(3)
+}
+
+fn boxed(p: DVec3) -> f64 {
+    falling(p.abs().max_element())
+}
+
+fn gradient(p: DVec3, direction: DVec3) -> f64 {
+    wrapped(p.dot(direction))
+}
+
+fn onion(p: DVec3) -> f64 {
+    fraction(p.length())
+}
+
+fn planar(p: DVec3) -> f64 {
+    falling(p.y.abs())
+}
+
+fn spherical(p: DVec3) -> f64 {
+    falling(p.length())
 }
 
 /// 1 in the middle, 0 from distance 1 on.
@@ -106,10 +163,6 @@ fn wrapped(v: f64) -> f64 {
 fn angle_of_incidence(context: &Context) -> f64 {
     let normal = context.shading_normal().normalize_or_zero();
     normal.dot(context.direction).clamp(-1.0, 1.0).acos() / PI
-}
-
-fn gray_at(pigment: &Pigment, p: DVec3, context: &Context) -> f64 {
-    f64::from(gray(pigment.color_or_clear(p, context).rgb))
 }
 
 fn checker(p: DVec3) -> f64 {

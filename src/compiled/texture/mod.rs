@@ -19,6 +19,7 @@ mod finish;
 mod formula;
 mod fractal;
 mod image;
+mod lookup;
 mod noise_formula;
 mod normal;
 mod pattern;
@@ -62,6 +63,8 @@ pub struct Layer {
     pub pigment: Pigment,
     /// Bumps.
     pub normal: Option<Normal>,
+    /// Whether it pays to find the colours of neighbours at once.
+    pub side_by_side: bool,
     /// Response to light.
     pub finish: Finish,
     /// The colour at quality 5 and below, where it differs from the pigment's.
@@ -89,6 +92,14 @@ impl Texture {
                 layers.iter().any(|l| l.pigment.is_opaque() && l.quick_color.is_none_or(|c| c.opacity() == 1.0))
             }
             Self::Patterned(p) => p.items.iter().all(Self::is_opaque),
+        }
+    }
+
+    /// Whether it pays somewhere to find the colours of neighbours at once.
+    pub fn is_side_by_side(&self) -> bool {
+        match self {
+            Self::Layers(layers) => layers.iter().any(|layer| layer.side_by_side),
+            Self::Patterned(_) => false,
         }
     }
 

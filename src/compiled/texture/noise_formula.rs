@@ -3,11 +3,9 @@
 //! Source: sections 3, 4 and 14 of the pattern facts (measured).
 
 use crate::math::lanes::{Lanes, Work, dispatch};
-use crate::math::noise::{
-    Congruential, NoiseGenerator, Octaves, halving_vector_noises, noises, turbulence, vector_noise, vector_turbulence,
-};
+use crate::math::noise::{Congruential, NoiseGenerator, Octaves, halving_vector_noises, vector_noise};
 use crate::math::sine::sines;
-use crate::math::{DVec2, DVec3, floor, fraction, full_turn_angle};
+use crate::math::{DVec3, floor, fraction, full_turn_angle};
 use bytemuck::cast;
 use std::f64::consts::TAU;
 
@@ -16,44 +14,49 @@ fn sine(turns: f64) -> f64 {
     (TAU * turns).sin()
 }
 
+/// Granite's first frequency.
+pub(super) const GRANITE_SCALE: f64 = 4.0;
+
 /// Granite: six octaves of folded noise.
-pub(super) fn granite(generator: NoiseGenerator, p: DVec3) -> f64 {
+pub(super) fn granite(generator: NoiseGenerator, noises: [f64; 6]) -> f64 {
     let fold = |n: f64| match generator {
         NoiseGenerator::Original => (0.5 - n).abs(),
         _ => (1.0 - 2.0 * n).abs().min(0.5),
     };
-    halving(noises::<6>(generator, 4.0 * p, 2.0).map(fold))
+    halving(noises.into_iter().map(fold))
 }
 
-/// Wrinkles: ten octaves of noise.
-pub(super) fn wrinkles(generator: NoiseGenerator, p: DVec3) -> f64 {
+/// How many octaves of noise wrinkles are.
+const WRINKLES_OCTAVES: usize = 10;
+
+/// Wrinkles.
+pub(super) fn wrinkles(generator: NoiseGenerator, noises: [f64; WRINKLES_OCTAVES]) -> f64 {
     let fold = |n: f64| match generator {
         NoiseGenerator::Original => n,
         _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
     };
-    0.5 * halving(noises::<10>(generator, p, 2.0).map(fold))
+    0.5 * halving(noises.into_iter().map(fold))
 }
 
 /// Displacement of a normal by wrinkles.
 pub(super) fn wrinkles_bump(p: DVec3) -> DVec3 {
-    halving_vector_noises(p, 10)
+    halving_vector_noises(p, WRINKLES_OCTAVES)
 }
 
 /// The sum of terms, each with half the weight of the one before.
-fn halving<const COUNT: usize>(terms: [f64; COUNT]) -> f64 {
-    let mut weight = 2.0;
-    terms
-        .into_iter()
-        .map(|term| {
-            weight *= 0.5;
-            term * weight
-        })
-        .sum()
+#[inline(always)]
+fn halving(terms: impl Iterator<Item = f64>) -> f64 {
+    let mut weight = 1.0;
+    terms.fold(0.0, |sum, term| {
+        let weighted = term * weight;
+        weight *= 0.5;
+        sum + weighted
+    })
 }
 
-/// Agate: bands along z, shifted by turbulence of strength `amount`.
-pub(super) fn agate(generator: NoiseGenerator, octaves: Octaves, amount: f64, p: DVec3) -> f64 {
-    let bands = 0.5 * (sine(1.3 * amount * turbulence(generator, octaves, p) + 1.1 * p.z) + 1.0);
+/// Agate: bands along z, shifted by `amount` times a turbulence.
+pub(super) fn agate(amount: f64, turbulence: f64, p: DVec3) -> f64 {
+    let bands = 0.5 * (sine(1.3 * amount * turbulence + 1.1 * p.z) + 1.0);
     bands.clamp(0.0, 1.0).powf(0.77)
 }
 
@@ -68,39 +71,31 @@ pub struct InnerTurbulence {
     pub generator: NoiseGenerator,
 }
 
-impl InnerTurbulence {
-    #[inline(always)]
-    fn scalar(&self, p: DVec3) -> f64 {
-        self.amount.x * turbulence(self.generator, self.octaves, p)
-    }
-}
-
-/// Marble: x, shifted.
+/// Marble: x, shifted by turbulence.
 #[inline(always)]
-pub(super) fn marble(inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
-    p.x + inner.map_or(0.0, |t| t.scalar(p))
+pub(super) fn marble(shift: f64, p: DVec3) -> f64 {
+    p.x + shift
 }
 
-/// Wood: distance from the z axis, wobbling.
-pub(super) fn wood(inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
-    let Some(t) = inner else { return p.x.hypot(p.y) };
-    let d = vector_turbulence(t.octaves, p);
-    let ring = DVec2::new(p.x + sine((p.x + d.x) * t.amount.x), p.y + sine((p.y + d.y) * t.amount.y));
-    (ring.x * ring.x + ring.y * ring.y).sqrt()
+/// Wood that wobbles: a distance from the z axis.
+pub(super) fn wobbling_wood(amount: DVec3, turbulence: DVec3, p: DVec3) -> f64 {
+    let x = p.x + sine((p.x + turbulence.x) * amount.x);
+    let y = p.y + sine((p.y + turbulence.y) * amount.y);
+    (x * x + y * y).sqrt()
 }
 
-/// The argument of both spirals: z plus radius plus angle.
-pub(super) fn spiral(arms: f64, inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
+/// The argument of both spirals: z plus radius plus angle, shifted by turbulence.
+pub(super) fn spiral(arms: f64, shift: f64, p: DVec3) -> f64 {
     let r = (p.x * p.x + p.y * p.y).sqrt();
     // From -y turning toward +x.
     let angle = if r == 0.0 { 0.0 } else { full_turn_angle(p.x, -p.y) };
-    p.z + r + arms * (angle * (1.0 / TAU)) + inner.map_or(0.0, |t| t.scalar(p))
+    p.z + r + arms * (angle * (1.0 / TAU)) + shift
 }
 
 /// A spiral and rings, both folded.
-pub(super) fn double_spiral(arms: f64, inner: Option<&InnerTurbulence>, p: DVec3) -> f64 {
+pub(super) fn double_spiral(arms: f64, shift: f64, p: DVec3) -> f64 {
     let folded = |v: f64| 1.0 - (2.0 * fraction(v) - 1.0).abs();
-    folded((p.x * p.x + p.y * p.y).sqrt()) + folded(spiral(arms, inner, p))
+    folded((p.x * p.x + p.y * p.y).sqrt()) + folded(spiral(arms, shift, p))
 }
 
 /// Sources of ripples and waves, four a group.
@@ -227,22 +222,9 @@ impl<const BUMP: bool> Work for Heights<'_, BUMP> {
 }
 
 /// Leopard: spots where the mean of three sines is far from 0.
-pub(super) fn leopard(p: DVec3) -> f64 {
-    let mean = dispatch(SumOfSines(p)) * (1.0 / 3.0);
+pub(super) fn leopard([x, y, z]: [f64; 3]) -> f64 {
+    let mean = (x + y + z) * (1.0 / 3.0);
     mean * mean
-}
-
-/// The sum of the sines of three angles.
-struct SumOfSines(DVec3);
-
-impl Work for SumOfSines {
-    type Output = f64;
-
-    #[inline(always)]
-    fn run<S: Lanes>(self, simd: S) -> f64 {
-        let [x, y, z, _]: [f64; 4] = cast(sines(simd, cast([self.0.x, self.0.y, self.0.z, 0.0])));
-        x + y + z
-    }
 }
 
 /// Quilted: a pillow in every unit cube. Gives the offset from the cube's centre and the height over it.

@@ -8,7 +8,7 @@
 use super::crackle::{Metric, nearest};
 use super::{Blend, Context, Mapping, Pattern, Pick, Raster};
 use crate::math::noise::vector_noise;
-use crate::math::{DMat3, DVec3, Transform};
+use crate::math::{DMat3, DVec3, LANES, Points, Transform};
 use std::sync::Arc;
 
 /// A perturbation of the normal.
@@ -67,7 +67,7 @@ impl Facets {
 pub type SlopeEntry = [f64; 2];
 
 /// The four sampling directions of a slope: corners of a regular tetrahedron.
-const SAMPLES: [DVec3; 4] = [
+const SAMPLES: [DVec3; LANES] = [
     DVec3::new(0.942_809_041, -0.333_333_333, 0.0),
     DVec3::new(-0.471_404_521, -0.333_333_333, 0.816_496_581),
     DVec3::new(-0.471_404_521, -0.333_333_333, -0.816_496_581),
@@ -194,11 +194,16 @@ impl Normal {
 
     /// Weighted sum of values around the point: two fifteenths of the gradient for smooth patterns.
     fn slope(&self, pattern: &Pattern, slopes: Option<&Blend<SlopeEntry>>, p: DVec3, context: &Context) -> DVec3 {
-        let height = |p: DVec3| {
-            let value = pattern.value_at_warped(p, context);
-            slopes.map_or(value, |map| slope_height(map, value))
+        let [a, b, c, d] = SAMPLES;
+        let at = |e: DVec3| p + self.accuracy * e;
+        let samples = Points::from([at(a), at(b), at(c), at(d)]);
+        let values = if pattern.kind.sees_normals() {
+            samples.map(|p| pattern.value_at_warped(p, context))
+        } else {
+            pattern.values_at_warped(&samples, &[context.uv; LANES])
         };
-        let sum: DVec3 = SAMPLES.iter().map(|e| height(p + self.accuracy * *e) * *e).sum();
+        let height = |value: f64| slopes.map_or(value, |map| slope_height(map, value));
+        let sum: DVec3 = values.iter().zip(SAMPLES).map(|(value, e)| height(*value) * e).sum();
         5.0 * self.amount * (0.02 / self.accuracy) * sum
     }
 }

@@ -7,7 +7,7 @@ use super::{
 use crate::compiled::geometry::Geometry;
 use crate::function::Function;
 use crate::math::noise::{NoiseGenerator, Octaves};
-use crate::math::{DVec3, Uv, fraction, round_to_even};
+use crate::math::{DVec3, LANES, Points, Uv, each_lane, fraction, round_to_even};
 use std::sync::Arc;
 
 /// A value for each point.
@@ -127,7 +127,7 @@ impl Context {
 
     /// A lookup at (u, v, 0).
     pub fn uv_point(&self) -> DVec3 {
-        self.uv.get().extend(0.0)
+        self.uv.lookup_point()
     }
 }
 
@@ -135,6 +135,15 @@ impl PatternKind {
     /// Bricks of a size that includes the mortar's width, which fills a brick up to its share of it.
     pub fn brick(size: DVec3, mortar: f64) -> Self {
         Self::Brick { size, mortar, limit: DVec3::splat(mortar) / size }
+    }
+
+    /// Whether the value depends on the normal.
+    pub fn sees_normals(&self) -> bool {
+        match self {
+            Self::Aoi | Self::Slope(_) => true,
+            Self::Pigment(pigment) => pigment.sees_normals(),
+            _ => false,
+        }
     }
 }
 
@@ -152,8 +161,23 @@ impl Pattern {
             [warp] => warp.apply(point),
             warps => warps.iter().fold(point, |p, warp| warp.apply(p)),
         };
-        // POV-Ray's own limit.
-        moved.clamp(DVec3::splat(-1e17), DVec3::splat(1e17))
+        moved.clamp(DVec3::splat(-POV_FARTHEST), DVec3::splat(POV_FARTHEST))
+    }
+
+    /// [`warp`](Self::warp) for four points.
+    pub fn warp_points(&self, points: &Points) -> Points {
+        let limited = |c: f64| {
+            let c = if c > -POV_FARTHEST { c } else { -POV_FARTHEST };
+            if c < POV_FARTHEST { c } else { POV_FARTHEST }
+        };
+        if let [Warp::Scaling { factor, offset }] = &*self.warps {
+            return points.map_coordinates(|axis, c| limited(factor[axis] * c + offset[axis]));
+        }
+        let mut moved = *points;
+        for warp in &self.warps {
+            moved = warp.apply_to_points(&moved);
+        }
+        moved.map_coordinates(|_, c| limited(c))
     }
 
     /// The value at a point of the containing space.
@@ -167,6 +191,19 @@ impl Pattern {
     pub fn value_at_warped(&self, point: DVec3, context: &Context) -> f64 {
         let raw = formula::value(self, point, context);
         shape(raw, self.frequency, self.phase, self.wave)
+    }
+
+    /// The values at four points that [`warp_points`](Self::warp_points) gave, each with its surface coordinates, if the
+    /// pattern does not [see normals](PatternKind::sees_normals).
+    pub fn values_at_warped(&self, points: &Points, uvs: &[Uv; LANES]) -> [f64; LANES] {
+        let raw = formula::values(self, points, uvs);
+        let as_they_are = self.frequency == 0.0 || (self.frequency == 1.0 && self.phase == 0.0);
+        let values = if as_they_are { raw } else { each_lane(|i| raw[i] * self.frequency + self.phase) };
+        // Most values need no more.
+        if matches!(self.wave, Wave::Ramp) && values.iter().all(|v| (0.0..POV_PERIOD).contains(v)) {
+            return values;
+        }
+        raw.map(|raw| shape(raw, self.frequency, self.phase, self.wave))
     }
 
     /// What stands at a point that [`warp`](Self::warp) gave.
@@ -183,6 +220,9 @@ impl Pattern {
         (self.pick_at_warped(items, warped, context), warped)
     }
 }
+
+/// POV-Ray's own limit for coordinates.
+const POV_FARTHEST: f64 = 1e17;
 
 /// POV-Ray's period of a value: a little more than 1, so that 1 itself stays.
 const POV_PERIOD: f64 = 1.000_01;

@@ -1,7 +1,7 @@
 //! Colours for points.
 
 use super::{Blend, Context, ImageMap, Pattern, Pick};
-use crate::math::{Color, DVec3, Rgb};
+use crate::math::{Color, DVec3, LANES, Points, Rgb, Uv, each_lane};
 
 /// A colour for each point.
 #[derive(Clone, Debug)]
@@ -29,13 +29,7 @@ impl Pigment {
             Self::Colors(pattern, colors) => Some(blended(pattern, colors, point, context)),
             Self::Pigments(pattern, pigments) => {
                 let (pick, warped) = pattern.pick(pigments, point, context);
-                Some(match pick {
-                    Pick::One(pigment) => pigment.color_or_clear(warped, context),
-                    Pick::Two(lower, upper, share) => {
-                        lower.color_or_clear(warped, context).lerp(upper.color_or_clear(warped, context), share)
-                    }
-                    Pick::All(all) => weighted_sum(all.iter().map(|(w, p)| (*w, p.color_or_clear(warped, context)))),
-                })
+                Some(mixed(pick, warped, context))
             }
             Self::Image(pattern, image) => image.color(pattern.warp(point)),
             Self::Uv(pigment) => pigment.color(context.uv_point(), context),
@@ -47,6 +41,86 @@ impl Pigment {
         match self {
             Self::Colors(pattern, colors) => blended(pattern, colors, point, context),
             _ => self.color(point, context).unwrap_or(CLEAR),
+        }
+    }
+
+    /// [`color`](Self::color) at four points, each with its surface coordinates; of a pigment that is
+    /// [worked out side by side](Self::is_side_by_side).
+    pub fn colors(&self, points: &Points, uvs: &[Uv; LANES]) -> [Option<Color>; LANES] {
+        match self {
+            Self::Uv(pigment) => pigment.colors(&each_lane(|i| uvs[i].lookup_point()).into(), uvs),
+            Self::Image(pattern, image) => {
+                let warped = pattern.warp_points(points);
+                each_lane(|i| image.color(warped.lane(i)))
+            }
+            Self::Solid(_) | Self::Colors(..) | Self::Pigments(..) => {
+                let colors = self.colors_or_clear(points, uvs);
+                each_lane(|i| Some(colors[i]))
+            }
+        }
+    }
+
+    /// [`color_or_clear`](Self::color_or_clear) at four points; else as [`colors`](Self::colors).
+    pub(super) fn colors_or_clear(&self, points: &Points, uvs: &[Uv; LANES]) -> [Color; LANES] {
+        match self {
+            Self::Solid(color) => [*color; LANES],
+            Self::Colors(pattern, colors) => {
+                let values = pattern.values_at_warped(&pattern.warp_points(points), uvs);
+                let mut found = [Color::BLACK; LANES];
+                found.iter_mut().zip(values).for_each(|(color, value)| *color = picked(colors.pick(value)));
+                found
+            }
+            Self::Pigments(pattern, Blend::Average(all)) => {
+                let warped = pattern.warp_points(points);
+                let mut sums = [Color::default(); LANES];
+                all.iter().for_each(|(weight, pigment)| pigment.add_colors(&warped, uvs, *weight, &mut sums));
+                sums
+            }
+            Self::Pigments(pattern, pigments) => {
+                let warped = pattern.warp_points(points);
+                let values = pattern.values_at_warped(&warped, uvs);
+                let mut found = [Color::BLACK; LANES];
+                for (i, color) in found.iter_mut().enumerate() {
+                    let context = Context { uv: uvs[i], ..Context::default() };
+                    *color = mixed(pigments.pick(values[i]), warped.lane(i), &context);
+                }
+                found
+            }
+            Self::Image(..) | Self::Uv(_) => {
+                let colors = self.colors(points, uvs);
+                each_lane(|i| colors[i].unwrap_or(CLEAR))
+            }
+        }
+    }
+
+    /// Adds `weight` times the colours at four points; the most frequent pigments do so without another array.
+    fn add_colors(&self, points: &Points, uvs: &[Uv; LANES], weight: f32, sums: &mut [Color; LANES]) {
+        if let Self::Colors(pattern, colors) = self {
+            let values = pattern.values_at_warped(&pattern.warp_points(points), uvs);
+            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum = sum.plus(weight, picked(colors.pick(value))));
+        } else {
+            let colors = self.colors_or_clear(points, uvs);
+            sums.iter_mut().zip(colors).for_each(|(sum, color)| *sum = sum.plus(weight, color));
+        }
+    }
+
+    /// Whether it pays to find the colours of neighbours at once: there is a pattern, and none that looks at normals,
+    /// which the bumps of other layers change.
+    pub fn is_side_by_side(&self) -> bool {
+        match self {
+            Self::Solid(_) | Self::Image(..) => false,
+            Self::Colors(..) | Self::Pigments(..) => !self.sees_normals(),
+            Self::Uv(pigment) => pigment.is_side_by_side(),
+        }
+    }
+
+    /// Whether the colour depends on the normal.
+    pub(super) fn sees_normals(&self) -> bool {
+        match self {
+            Self::Solid(_) => false,
+            Self::Colors(pattern, _) | Self::Image(pattern, _) => pattern.kind.sees_normals(),
+            Self::Pigments(pattern, pigments) => pattern.kind.sees_normals() || pigments.iter().any(Self::sees_normals),
+            Self::Uv(pigment) => pigment.sees_normals(),
         }
     }
 
@@ -80,19 +154,30 @@ impl Pigment {
 
 #[inline]
 fn blended(pattern: &Pattern, colors: &Blend<Color>, point: DVec3, context: &Context) -> Color {
-    match pattern.pick_at_warped(colors, pattern.warp(point), context) {
+    picked(pattern.pick_at_warped(colors, pattern.warp(point), context))
+}
+
+#[inline]
+fn picked(pick: Pick<'_, Color>) -> Color {
+    match pick {
         Pick::One(color) => *color,
         Pick::Two(lower, upper, share) => lower.lerp(*upper, share),
         Pick::All(all) => weighted_sum(all.iter().copied()),
     }
 }
 
+/// The colour of what was picked of some pigments.
+fn mixed(pick: Pick<'_, Pigment>, point: DVec3, context: &Context) -> Color {
+    let color = |pigment: &Pigment| pigment.color_or_clear(point, context);
+    match pick {
+        Pick::One(pigment) => color(pigment),
+        Pick::Two(lower, upper, share) => color(lower).lerp(color(upper), share),
+        Pick::All(all) => weighted_sum(all.iter().map(|(w, p)| (*w, color(p)))),
+    }
+}
+
 fn weighted_sum(items: impl Iterator<Item = (f32, Color)>) -> Color {
-    items.fold(Color::default(), |sum, (w, c)| Color {
-        rgb: sum.rgb + w * c.rgb,
-        filter: sum.filter + w * c.filter,
-        transmit: sum.transmit + w * c.transmit,
-    })
+    items.fold(Color::default(), |sum, (weight, color)| sum.plus(weight, color))
 }
 
 #[cfg(test)]

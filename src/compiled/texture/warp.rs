@@ -4,8 +4,8 @@
 
 use super::crackle::random_number;
 use super::formula::cubic;
-use crate::math::noise::{Octaves, lattice_hash, vector_turbulence};
-use crate::math::{DAffine3, DMat3, DVec3, floor, full_turn_angle, modulo};
+use crate::math::noise::{Octaves, lattice_hash, vector_turbulence, vector_turbulence_of_points};
+use crate::math::{DAffine3, DMat3, DVec3, Points, floor, full_turn_angle, modulo};
 use std::f64::consts::TAU;
 
 /// One step, ready to apply to a point.
@@ -114,6 +114,18 @@ impl Warp {
             Self::Scaling { factor, offset } => *factor * p + *offset,
             Self::Affine(pattern_from_outer) => pattern_from_outer.transform_point3(p),
             bent => bent.bend(p),
+        }
+    }
+
+    /// Carries four points one step inwards.
+    #[inline]
+    pub fn apply_to_points(&self, points: &Points) -> Points {
+        match self {
+            Self::Scaling { factor, offset } => points.map_coordinates(|axis, c| factor[axis] * c + offset[axis]),
+            Self::Turbulence { amount, octaves } => {
+                points.moved(*amount, &vector_turbulence_of_points(*octaves, points))
+            }
+            other => points.map(|p| other.apply(p)).into(),
         }
     }
 
