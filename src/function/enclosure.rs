@@ -365,7 +365,7 @@ impl Program {
                 Op::Binary(Binary::Mul, a, b) if a == b => at(a).squared(),
                 Op::Binary(f, a, b) => at(a).binary(*f, at(b)),
                 Op::Select(slots) => select(slots.each_ref().map(at)),
-                Op::Call { callee, arguments, component } => {
+                Op::Call { callee, arguments, component, .. } => {
                     let arguments: SmallVec<[Enclosure; 8]> = arguments.iter().map(at).collect();
                     match callee {
                         Callee::Internal(internal) => internal.enclose(&arguments),

@@ -41,6 +41,8 @@ pub enum Op {
         arguments: SmallVec<[Slot; 4]>,
         /// Which of the returned numbers.
         component: u8,
+        /// The last call before this one returned it, too.
+        repeats: bool,
     },
     /// `sum` or `prod` of a body over `from, from + 1, … <= to`.
     Fold {
@@ -206,6 +208,15 @@ impl Binary {
 }
 
 impl Callee {
+    /// Where it is, by which it is known; built-in functions are anywhere.
+    fn address(&self) -> Option<usize> {
+        match self {
+            Self::Function(f) => Some(Arc::as_ptr(f) as usize),
+            Self::External(e) => Some(Arc::as_ptr(e).cast::<()>() as usize),
+            Self::Internal(_) => None,
+        }
+    }
+
     fn call(&self, arguments: &[f64]) -> [f64; 5] {
         match self {
             Self::Function(f) => f.call(arguments),
@@ -226,6 +237,7 @@ impl Program {
         slots.resize(self.ops.len(), 0.0);
         // Once for all, where the memory is.
         let slots = &mut slots[..];
+        let mut returned = [0.0; 5];
         for (i, op) in self.ops.iter().enumerate() {
             let value = match op {
                 Op::Constant(c) => *c,
@@ -243,11 +255,14 @@ impl Program {
                     };
                     slots[*chosen as usize]
                 }
-                Op::Call { callee, arguments, component } => {
-                    let mut values = SmallVec::<[f64; 8]>::new();
-                    // Growing for each saves asking for room that there is.
-                    arguments.iter().for_each(|a| values.push(slots[*a as usize]));
-                    callee.call(&values)[usize::from(*component)]
+                Op::Call { callee, arguments, component, repeats } => {
+                    if !repeats {
+                        let mut values = SmallVec::<[f64; 8]>::new();
+                        // Growing for each saves asking for room that there is.
+                        arguments.iter().for_each(|a| values.push(slots[*a as usize]));
+                        returned = callee.call(&values);
+                    }
+                    returned[usize::from(*component)]
                 }
                 Op::Fold { product, from, to, body, arguments } => {
                     let mut values: SmallVec<[f64; 8]> = arguments.iter().map(|a| slots[*a as usize]).collect();
@@ -322,9 +337,15 @@ impl ProgramBuilder {
         }
         let mut moved = vec![0; self.ops.len()];
         let mut ops = Vec::new();
+        let mut last_call = None;
         for (i, mut op) in self.ops.into_iter().enumerate().filter(|(i, _)| needed[*i]) {
             each_operand_mut(&mut op, |slot| *slot = moved[*slot as usize]);
             moved[i] = ops.len() as Slot;
+            if let Op::Call { callee, arguments, repeats, .. } = &mut op {
+                let call = (callee.address(), arguments.clone());
+                *repeats = call.0.is_some() && last_call.as_ref() == Some(&call);
+                last_call = Some(call);
+            }
             ops.push(op);
         }
         Program { ops, result: moved[result as usize] }
@@ -447,15 +468,16 @@ impl ProgramBuilder {
             FunctionBody::External(external) => {
                 let key = Key::External(Arc::as_ptr(external).cast::<()>() as usize, arguments.clone(), component);
                 let callee = Callee::External(external.clone());
-                self.push(Some(key), Op::Call { callee, arguments, component })
+                self.push(Some(key), Op::Call { callee, arguments, component, repeats: false })
             }
             FunctionBody::Internal(internal) => {
                 let callee = Callee::Internal(internal.clone());
-                self.push(None, Op::Call { callee, arguments, component })
+                self.push(None, Op::Call { callee, arguments, component, repeats: false })
             }
             _ => {
                 let key = Key::External(Arc::as_ptr(function) as usize, arguments.clone(), component);
-                self.push(Some(key), Op::Call { callee: Callee::Function(function.clone()), arguments, component })
+                let callee = Callee::Function(function.clone());
+                self.push(Some(key), Op::Call { callee, arguments, component, repeats: false })
             }
         }
     }
@@ -473,9 +495,9 @@ impl ProgramBuilder {
                 Op::Unary(f, a) => self.unary(*f, at(a)),
                 Op::Binary(f, a, b) => self.plain_or_folded(*f, at(a), at(b)),
                 Op::Select(slots) => self.select(slots.each_ref().map(at)),
-                Op::Call { callee, arguments, component } => {
-                    let arguments = arguments.iter().map(at).collect();
-                    self.push(None, Op::Call { callee: callee.clone(), arguments, component: *component })
+                Op::Call { callee, arguments, component, .. } => {
+                    let (callee, arguments) = (callee.clone(), arguments.iter().map(at).collect());
+                    self.push(None, Op::Call { callee, arguments, component: *component, repeats: false })
                 }
                 Op::Fold { product, from, to, body, arguments } => {
                     let arguments = arguments.iter().map(at).collect();
@@ -565,6 +587,37 @@ mod tests {
         };
         check(root(Binary::Greater), [-1.0, 0.0, 0.0], 1.0);
         check(root(Binary::Less), [-1.0, 0.0, 0.0], 0.0);
+    }
+
+    /// Counts how often it is called.
+    #[derive(Debug, Default)]
+    struct Counter(std::sync::atomic::AtomicU64);
+
+    impl Callable for Counter {
+        fn width(&self) -> usize {
+            5
+        }
+
+        fn call(&self, args: &[f64]) -> [f64; 5] {
+            self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            [args[0], 10.0 * args[0], 100.0 * args[0], 0.0, 0.0]
+        }
+    }
+
+    #[test]
+    fn components_of_a_call_come_from_one() {
+        let counter = Arc::new(Counter::default());
+        let body = FunctionBody::External(counter.clone());
+        let function = Arc::new(Function { n_parameters: 1, body });
+        let mut b = ProgramBuilder::default();
+        let [x, y] = [0, 1].map(|i| b.argument(i));
+        let of =
+            |b: &mut ProgramBuilder, at: Slot, component: u8| b.call(&function, smallvec::smallvec![at], component);
+        let (first, second, other) = (of(&mut b, x, 1), of(&mut b, x, 2), of(&mut b, y, 2));
+        let sum = b.binary(Binary::Add, first, second);
+        let sum = b.binary(Binary::Add, sum, other);
+        assert_eq!(b.finish(sum).eval(&[1.0, 2.0]), 310.0);
+        assert_eq!(counter.0.load(std::sync::atomic::Ordering::Relaxed), 2);
     }
 
     #[test]

@@ -78,13 +78,7 @@ pub(super) fn fold(shape: &Shape, place: Transform, inverse: &mut bool) -> Optio
             Folded::placed(Compiled::Ovus(Box::new(Ovus::new(*bottom_radius, *top_radius))), place)
         }
         Shape::Quadric { squares, products, linear, constant } => {
-            let quadric = Quadric {
-                squares: *squares,
-                products: *products,
-                linear: *linear,
-                constant: *constant,
-                keeps_normal: *inverse,
-            };
+            let quadric = Quadric::new(*squares, *products, *linear, *constant, *inverse);
             let empty = [squares, products, linear].iter().all(|v| **v == DVec3::ZERO);
             if empty { None } else { Folded::placed(Compiled::Quadric(Box::new(quadric)), place) }
         }

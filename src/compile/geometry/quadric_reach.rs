@@ -126,13 +126,7 @@ mod tests {
 
     /// A quadric along the axes, in the box, moved up by 2 and made twice as wide.
     fn check(squares: [f64; 3], constant: f64, surface_only: bool, around: [[f64; 3]; 2], expected: [[f64; 3]; 2]) {
-        let quadric = Quadric {
-            squares: squares.into(),
-            products: DVec3::ZERO,
-            linear: DVec3::ZERO,
-            constant,
-            keeps_normal: false,
-        };
+        let quadric = Quadric::new(squares.into(), DVec3::ZERO, DVec3::ZERO, constant, false);
         let place =
             Transform::scaling(DVec3::new(2.0, 1.0, 2.0)).then(&Transform::translation(DVec3::new(0.0, 2.0, 0.0)));
         let primitive = Primitive {

@@ -135,12 +135,9 @@ mod tests {
     fn nothing_is_inside_beside_its_span() {
         check(&Plane { normal: DVec3::new(0.6, 0.0, 0.8), distance: 0.3 });
         check(&Sphere { center: DVec3::new(0.1, -0.2, 0.3), radius: 0.8 });
-        let quadric = |squares: [f64; 3], products: [f64; 3], constant: f64| Quadric {
-            squares: squares.into(),
-            products: products.into(),
-            linear: DVec3::new(0.1, 0.2, -0.1),
-            constant,
-            keeps_normal: false,
+        let linear = DVec3::new(0.1, 0.2, -0.1);
+        let quadric = |squares: [f64; 3], products: [f64; 3], constant: f64| {
+            Quadric::new(squares.into(), products.into(), linear, constant, false)
         };
         check(&quadric([1.0, 2.0, 0.5], [0.0, 0.3, 0.0], -1.0));
         check(&quadric([1.0, 1.0, 0.0], [0.0; 3], -0.5));

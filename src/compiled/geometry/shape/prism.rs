@@ -103,19 +103,30 @@ impl Prism {
         let product_error = |direction: DVec2| gamma(64) * direction.abs().dot(corner);
         let slack = 2.0 * product_error(shadow.normal) + gamma(64) * shadow.constant.abs();
         let across = Band::new(shadow.normal, [-shadow.constant; 2], slack);
-        let direction = DVec2::new(ray.direction.x, ray.direction.z);
-        if self.conic {
-            let along = Band::new(direction, [f64::NEG_INFINITY, f64::INFINITY], 0.0);
-            return Some(Passage { across, along, hull });
-        }
         let Range { min, max } = slabs.within(&outline.swept, range);
+        if min > max {
+            return None;
+        }
         let (a, b) = (ray.at(min), ray.at(max));
         // As uncertain as the box was taken to be.
         let slack = gamma(64) * (a.abs().max(b.abs()).max_element() + ray.origin.abs().max_element());
-        let (a, b) = (DVec2::new(a.x, a.z), DVec2::new(b.x, b.z));
-        let ends = [direction.dot(a), direction.dot(b)];
-        let along = Band::new(direction, ends, direction.abs().element_sum() * slack + 2.0 * product_error(direction));
-        (min <= max).then_some(Passage { across, along, hull: [a.min(b) - slack, a.max(b) + slack] })
+        let direction = shadow.normal.perp();
+        let (start, end, slack) = if self.conic {
+            let height = if a.y * b.y > 0.0 { a.y.abs().min(b.y.abs()) } else { 0.0 };
+            if height <= 2.0 * slack {
+                // The shadow's ends may be anywhere.
+                let along = Band::new(direction, [f64::NEG_INFINITY, f64::INFINITY], 0.0);
+                return Some(Passage { across, along, hull });
+            }
+            let (a, b) = (self.flat(a, a.y), self.flat(b, b.y));
+            (a, b, 2.0 * slack * (1.0 + a.abs().max(b.abs()).max_element()) / height)
+        } else {
+            (self.flat(a, 1.0), self.flat(b, 1.0), slack)
+        };
+        let (from, to) = (direction.dot(start), direction.dot(end));
+        let slack_along = direction.abs().element_sum() * slack + 2.0 * product_error(direction);
+        let along = Band::new(direction, [from.min(to), from.max(to)], slack_along);
+        Some(Passage { across, along, hull: [start.min(end) - slack, start.max(end) + slack] })
     }
 
     /// The ray's shadow on the plane of the outline.
@@ -236,5 +247,48 @@ impl Primitive for Prism {
         let point = DVec3::new(on_curve.x * scale, point.y, on_curve.y * scale);
         let lean = if self.conic { -(on_curve.x * slope.y - on_curve.y * slope.x) } else { 0.0 };
         LocalSurface::plain(point, error, DVec3::new(slope.y, lean, -slope.x))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::MersenneTwister;
+
+    /// Rays from near and far meet the sides of a star with rounded corners where they meet any of its pieces.
+    fn check(heights: [f64; 2], conic: bool) {
+        let corner = |i: usize| (if i.is_multiple_of(2) { 1.0 } else { 0.4 }) * DVec2::from_angle(0.6 * i as f64);
+        let piece = |i: usize| Segment::cubic([0, 1, 2, 3].map(|j| corner((i + j) % 10)));
+        let prism = Prism::new(vec![Outline::new((0..10).map(piece).collect())], heights, conic);
+        let mut twister = MersenneTwister::default();
+        let mut random = || 2.0 * twister.next_f64() - 1.0;
+        let mut met = 0;
+        for i in 0..20_000 {
+            let mut vector = || DVec3::new(random(), random(), random());
+            let (origin, target) = (vector() * 10f64.powi(i % 5 - 1), vector());
+            let ray = Ray::new(origin, target - origin);
+            let mut expected = Vec::new();
+            for segment in &prism.outlines[0].segments {
+                prism.sides(segment, &ray, &prism.shadow(&ray), |t, _| {
+                    let y = ray.origin.y + t * ray.direction.y;
+                    expected.extend((Range::FORWARD.contains(t) && prism.low <= y && y <= prism.high).then_some(t));
+                });
+            }
+            let mut found = ShapeHits::new();
+            prism.crossings(&ray, Range::FORWARD, &mut found);
+            let found: Vec<_> = found.into_iter().filter(|hit| hit.part < LOW_CAP).map(|hit| hit.t).collect();
+            assert_eq!(found, expected, "{ray:?}");
+            met += found.len();
+        }
+        assert!(met > 5_000, "only {met} crossings");
+    }
+
+    #[test]
+    fn no_piece_on_the_way_is_left_out() {
+        check([-0.5, 0.5], false);
+        check([0.25, 1.0], true);
+        check([0.0, 1.0], true);
+        check([-1.0, -0.01], true);
+        check([-0.7, 0.9], true);
     }
 }

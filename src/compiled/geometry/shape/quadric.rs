@@ -16,24 +16,40 @@ pub(crate) struct Quadric {
     pub(crate) constant: f64,
     /// POV-Ray leaves the normal of an inverted quadric as it was; this takes the inversion back.
     pub(crate) keeps_normal: bool,
+    /// How far from here a ray's origin may be to stay where it is: some lengths typical of the surface.
+    reach: f64,
 }
 
 impl Quadric {
-    /// The symmetric quadratic form of two vectors, twice.
-    fn form(&self, a: DVec3, b: DVec3) -> f64 {
+    /// From its coefficients, in the order of the fields.
+    pub(crate) fn new(squares: DVec3, products: DVec3, linear: DVec3, constant: f64, keeps_normal: bool) -> Self {
+        let curvature = squares.abs().max_element().max(products.abs().max_element());
+        let size = (constant.abs() / curvature).sqrt() + linear.abs().max_element() / curvature;
+        let reach = if size.is_finite() { 4.0 * size } else { f64::INFINITY };
+        Self { squares, products, linear, constant, keeps_normal, reach }
+    }
+
+    /// The terms of second degree.
+    #[inline(always)]
+    fn form(&self, v: DVec3) -> f64 {
         let q = self.products;
-        2.0 * (self.squares * a).dot(b)
-            + q.x * (a.x * b.y + a.y * b.x)
-            + q.y * (a.x * b.z + a.z * b.x)
-            + q.z * (a.y * b.z + a.z * b.y)
+        (self.squares * v).dot(v) + q.x * (v.x * v.y) + q.y * (v.x * v.z) + q.z * (v.y * v.z)
     }
 
+    #[inline(always)]
     fn value(&self, p: DVec3) -> f64 {
-        0.5 * self.form(p, p) + self.linear.dot(p) + self.constant
+        self.form(p) + self.linear.dot(p) + self.constant
     }
 
+    #[inline(always)]
     fn gradient(&self, p: DVec3) -> DVec3 {
-        DVec3::new(self.form(p, DVec3::X), self.form(p, DVec3::Y), self.form(p, DVec3::Z)) + self.linear
+        let (s, q) = (2.0 * (self.squares * p), self.products);
+        let curved = DVec3::new(
+            s.x + q.x * p.y + q.y * p.z, //
+            s.y + q.x * p.x + q.z * p.z,
+            s.z + q.y * p.x + q.z * p.y,
+        );
+        curved + self.linear
     }
 
     /// The sum of the magnitudes of all terms, for coordinates that are not negative: what rounding errors are
@@ -44,19 +60,14 @@ impl Quadric {
             products: self.products.abs(),
             linear: self.linear.abs(),
             constant: self.constant.abs(),
-            keeps_normal: false,
+            ..*self
         }
     }
 
     /// Coefficients of the value along a ray, falling.
+    #[inline(always)]
     fn along(&self, o: DVec3, d: DVec3) -> [f64; 3] {
-        [0.5 * self.form(d, d), self.gradient(o).dot(d), self.value(o)]
-    }
-
-    /// A length typical of the surface, at which moving the ray's origin loses nothing.
-    fn size(&self) -> f64 {
-        let curvature = self.squares.abs().max_element().max(self.products.abs().max_element());
-        (self.constant.abs() / curvature).sqrt() + self.linear.abs().max_element() / curvature
+        [self.form(d), self.gradient(o).dot(d), self.value(o)]
     }
 }
 
@@ -75,14 +86,19 @@ impl Primitive for Quadric {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        let size = self.size();
-        let near = NearRay::new(ray, DVec3::ZERO, if size.is_finite() { 4.0 * size } else { f64::INFINITY });
+        let near = NearRay::new(ray, DVec3::ZERO, self.reach);
         let [a, b, c] = self.along(near.origin, near.direction);
-        if let Some(roots) = quadratic_roots(a, b, c) {
-            // A lone root of the linear case is one crossing.
-            let count = if a == 0.0 { 1 } else { 2 };
-            let hits = roots.into_iter().take(count).map(|s| ShapeHit { t: near.t(s), part: 0 });
-            out.extend(hits.filter(|h| range.contains(h.t)));
+        let Some([first, second]) = quadratic_roots(a, b, c) else { return };
+        let mut hit = |s: f64| {
+            let t = near.t(s);
+            if range.contains(t) {
+                out.push(ShapeHit { t, part: 0 });
+            }
+        };
+        hit(first);
+        // A lone root of the linear case is one crossing.
+        if a != 0.0 {
+            hit(second);
         }
     }
 
