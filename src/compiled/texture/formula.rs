@@ -90,9 +90,11 @@ fn raw<L: Lookup>(pattern: &Pattern, at: L) -> L::Values {
         PatternKind::Triangular => at.map(|p| triangular(p.x, p.z)),
         PatternKind::Waves(sources) => at.map(|p| sources.waves(pattern.frequency, pattern.phase, p)),
         PatternKind::Wood(None) => at.map(|p| p.x.hypot(p.y)),
-        PatternKind::Wood(Some(inner)) => at.map_vector_turbulence(inner.octaves, |turbulence, p| {
-            noise_formula::wobbling_wood(inner.amount, turbulence, p)
-        }),
+        PatternKind::Wood(Some(inner)) => at.map_turbulent_sines(
+            inner.octaves,
+            |turbulence, p| noise_formula::wobble(inner.amount, turbulence, p),
+            noise_formula::wobbling_wood,
+        ),
         PatternKind::Wrinkles(generator) => {
             at.map_halving::<WRINKLES_OCTAVES>(*generator, 1.0, 0.5, |noise| noise_formula::wrinkles(*generator, noise))
         }

@@ -40,8 +40,13 @@ pub(super) trait Lookup: Copy {
         formula: impl Fn(f64, DVec3) -> f64,
     ) -> Self::Values;
 
-    /// The values of a formula of turbulence as a vector and the point.
-    fn map_vector_turbulence(self, octaves: Octaves, formula: impl Fn(DVec3, DVec3) -> f64) -> Self::Values;
+    /// The values of a formula of two sines and the point. Turbulence as a vector and the point give the angles.
+    fn map_turbulent_sines(
+        self,
+        octaves: Octaves,
+        angles: impl Fn(DVec3, DVec3) -> [f64; 2],
+        formula: impl Fn([f64; 2], DVec3) -> f64,
+    ) -> Self::Values;
 
     /// The values of a formula of the sines of the coordinates.
     fn map_sines(self, formula: impl Fn([f64; 3]) -> f64) -> Self::Values;
@@ -107,8 +112,15 @@ impl Lookup for AtPoint<'_> {
     }
 
     #[inline(always)]
-    fn map_vector_turbulence(self, octaves: Octaves, formula: impl Fn(DVec3, DVec3) -> f64) -> f64 {
-        formula(vector_turbulence(octaves, self.point()), self.point())
+    fn map_turbulent_sines(
+        self,
+        octaves: Octaves,
+        angles: impl Fn(DVec3, DVec3) -> [f64; 2],
+        formula: impl Fn([f64; 2], DVec3) -> f64,
+    ) -> f64 {
+        let [a, b] = angles(vector_turbulence(octaves, self.point()), self.point());
+        let [a, b, ..] = sines_of([a, b, 0.0, 0.0]);
+        formula([a, b], self.point())
     }
 
     #[inline(always)]
@@ -178,9 +190,16 @@ impl Lookup for AtPoints<'_> {
     }
 
     #[inline(always)]
-    fn map_vector_turbulence(self, octaves: Octaves, formula: impl Fn(DVec3, DVec3) -> f64) -> [f64; LANES] {
+    fn map_turbulent_sines(
+        self,
+        octaves: Octaves,
+        angles: impl Fn(DVec3, DVec3) -> [f64; 2],
+        formula: impl Fn([f64; 2], DVec3) -> f64,
+    ) -> [f64; LANES] {
         let turbulences = vector_turbulence_of_points(octaves, self.points);
-        each_lane(|i| formula(turbulences.lane(i), self.points.lane(i)))
+        let angles = each_lane(|i| angles(turbulences.lane(i), self.points.lane(i)));
+        let (a, b) = (sines_of(each_lane(|i| angles[i][0])), sines_of(each_lane(|i| angles[i][1])));
+        each_lane(|i| formula([a[i], b[i]], self.points.lane(i)))
     }
 
     #[inline(always)]

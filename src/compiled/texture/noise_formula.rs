@@ -67,10 +67,14 @@ pub(super) fn marble(shift: f64, p: DVec3) -> f64 {
     p.x + shift
 }
 
+/// Angles whose sines make wood wobble along x and y.
+pub(super) fn wobble(amount: DVec3, turbulence: DVec3, p: DVec3) -> [f64; 2] {
+    [TAU * ((p.x + turbulence.x) * amount.x), TAU * ((p.y + turbulence.y) * amount.y)]
+}
+
 /// Wood that wobbles: a distance from the z axis.
-pub(super) fn wobbling_wood(amount: DVec3, turbulence: DVec3, p: DVec3) -> f64 {
-    let x = p.x + sine((p.x + turbulence.x) * amount.x);
-    let y = p.y + sine((p.y + turbulence.y) * amount.y);
+pub(super) fn wobbling_wood(wobble: [f64; 2], p: DVec3) -> f64 {
+    let (x, y) = (p.x + wobble[0], p.y + wobble[1]);
     (x * x + y * y).sqrt()
 }
 
