@@ -30,6 +30,13 @@ pub struct Sky {
     pub sky_from_world: Transform,
 }
 
+impl Sky {
+    /// Whether it pays to find the colours of neighbours at once.
+    pub fn is_side_by_side(&self) -> bool {
+        self.pigments.iter().any(Pigment::is_side_by_side) && !self.pigments.iter().any(Pigment::sees_normals)
+    }
+}
+
 /// `fog`.
 #[derive(Clone, Debug)]
 pub struct Fog {

@@ -31,23 +31,30 @@ impl Veil {
 impl Tracer<'_> {
     /// What a ray sees that meets nothing.
     pub(super) fn sky(&self, path: &Path) -> Radiance {
-        let atmosphere = &self.world.atmosphere;
-        let mut filter = Rgb::ONE;
-        let mut rgb = Rgb::ZERO;
-        if let Some(sky) = &atmosphere.sky
-            && sky.legacy
-        {
-            (rgb, filter) = legacy_sky(sky, path.ray.direction);
-        } else if let Some(sky) = &atmosphere.sky {
-            let direction = path.ray.direction;
-            let point = sky.sky_from_world.point(direction);
-            let context = Context { direction, normal: direction, point, ..Context::default() };
-            for pigment in sky.pigments.iter().rev() {
-                let color = pigment.color_or_clear(point, &context);
-                rgb += color.rgb * color.opacity() * filter * sky.emission;
-                filter *= color.transmittance();
-            }
+        let Some(sky) = &self.world.atmosphere.sky else { return self.behind(path, Rgb::ZERO, Rgb::ONE) };
+        let direction = path.ray.direction;
+        let point = sky.sky_from_world.point(direction);
+        let context = Context { direction, normal: direction, point, ..Context::default() };
+        self.sky_of(sky, path, sky.pigments.iter().rev().map(|pigment| pigment.color_or_clear(point, &context)))
+    }
+
+    /// What a ray sees of a sky of which the colours are known, uppermost first.
+    pub(super) fn sky_of(&self, sky: &Sky, path: &Path, colors: impl Iterator<Item = Color>) -> Radiance {
+        if sky.legacy {
+            let (rgb, filter) = legacy_sky(sky, colors);
+            return self.behind(path, rgb, filter);
         }
+        let (mut rgb, mut filter) = (Rgb::ZERO, Rgb::ONE);
+        for color in colors {
+            rgb += color.rgb * color.opacity() * filter * sky.emission;
+            filter *= color.transmittance();
+        }
+        self.behind(path, rgb, filter)
+    }
+
+    /// The light of a sky and what its filter leaves of the background.
+    fn behind(&self, path: &Path, mut rgb: Rgb, mut filter: Rgb) -> Radiance {
+        let atmosphere = &self.world.atmosphere;
         let shows_through = self.options.alpha && path.kind != RayKind::Reflected;
         let background = match atmosphere.background {
             Some(color) if shows_through => color,
@@ -130,13 +137,10 @@ fn rainbow_index(rainbow: &Rainbow, direction: DVec3, jitter: f64) -> Option<(f6
 /// Layers of the sky before version 3.7: filters, transmits and colours multiply apart from each other.
 ///
 /// Gives the sky's light and what it lets through of the background. Source: camera facts, section 6.2.
-fn legacy_sky(sky: &Sky, direction: DVec3) -> (Rgb, Rgb) {
-    let point = sky.sky_from_world.point(direction);
-    let context = Context { direction, normal: direction, point, ..Context::default() };
+fn legacy_sky(sky: &Sky, of_layers: impl Iterator<Item = Color>) -> (Rgb, Rgb) {
     let (mut rgb, mut colors) = (Rgb::ZERO, Rgb::ONE);
     let (mut filters, mut transmits, mut share) = (1.0_f32, 1.0_f32, 1.0);
-    for pigment in sky.pigments.iter().rev() {
-        let color = pigment.color_or_clear(point, &context);
+    for color in of_layers {
         rgb += color.rgb * (share * color.opacity());
         colors *= color.rgb;
         filters *= color.filter;

@@ -10,7 +10,7 @@ use super::ray::Path;
 use super::tracer::{Only, TextureSpace, Tracer, nothing, texture_space};
 use crate::compiled::geometry::{Hit, Surface, TextureId};
 use crate::compiled::texture::{Layer, Texture};
-use crate::math::{Color, LANES, Points, Uv};
+use crate::math::{Color, LANES, Points, Uv, each_lane};
 use smallvec::SmallVec;
 use std::cell::OnceCell;
 
@@ -19,11 +19,15 @@ struct Sight<'s, 'w> {
     before: Option<&'s Sight<'s, 'w>>,
     position: [f64; 2],
     path: &'s Path,
-    hit: &'s Hit,
-    surface: &'s Surface,
-    /// The only texture that shows.
-    texture: TextureId,
-    space: &'s TextureSpace<'w>,
+    met: Met<'s, 'w>,
+}
+
+/// What a camera ray met.
+enum Met<'s, 'w> {
+    /// A surface with a single texture.
+    Surface { hit: &'s Hit, surface: &'s Surface, texture: TextureId, space: &'s TextureSpace<'w> },
+    /// The sky.
+    Sky,
 }
 
 /// Four points of one texture, and what colours its layers have there.
@@ -105,6 +109,10 @@ impl<'w> Tracer<'w> {
         };
         let path = self.camera_path(raw.finish(&world.camera), f64::INFINITY);
         let Some(hit) = world.geometry.intersect(&path.ray, path.range, path.kind, &mut self.scratch) else {
+            if self.sky_side_by_side && before.is_none_or(|before| matches!(before.met, Met::Sky)) {
+                let sight = Sight { before, position: *position, path: &path, met: Met::Sky };
+                return self.follow_all(others, Some(&sight), found);
+            }
             self.shade_each(before, found);
             self.start_at(x, y);
             found.push(self.seen(&path, None, None));
@@ -115,16 +123,15 @@ impl<'w> Tracer<'w> {
             [only] => Some(only).filter(|only| world.side_by_side[only.texture.0 as usize]),
             _ => None,
         };
-        let Some(only) = only.filter(|only| before.is_none_or(|before| before.texture == only.texture)) else {
+        let Some(only) = only.filter(|only| before.is_none_or(|before| before.shows(only.texture))) else {
             self.shade_each(before, found);
             self.start_at(x, y);
             found.push(self.seen(&path, Some((&hit, &surface)), None));
             return self.follow_each(others, found);
         };
         let space = texture_space(world, &surface, &hit, only);
-        let (position, texture) = (*position, only.texture);
-        let sight = Sight { before, position, path: &path, hit: &hit, surface: &surface, texture, space: &space };
-        self.follow_all(others, Some(&sight), found);
+        let met = Met::Surface { hit: &hit, surface: &surface, texture: only.texture, space: &space };
+        self.follow_all(others, Some(&Sight { before, position: *position, path: &path, met }), found);
     }
 
     fn follow_each<G: Gather>(&mut self, positions: &[[f64; 2]], found: &mut Vec<G>) {
@@ -138,24 +145,55 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    fn shade_sight<G: Gather>(&mut self, sight: &Sight<'_, 'w>, neighbour: Option<Neighbour<'_>>) -> G {
+        let [x, y] = sight.position;
+        self.start_at(x, y);
+        match sight.met {
+            Met::Surface { hit, surface, space, .. } => {
+                self.seen(sight.path, Some((hit, surface)), Some(Only { space, neighbour }))
+            }
+            Met::Sky => self.seen(sight.path, None, None),
+        }
+    }
+
     fn shade_four<G: Gather>(&mut self, last: Option<&Sight<'_, 'w>>, found: &mut Vec<G>) {
         let [Some(d), Some(c), Some(b), Some(a)] = before(last) else { return self.shade_each(last, found) };
-        let Texture::Layers(layers) = self.world.texture(a.texture) else { return self.shade_each(last, found) };
+        let four = [a, b, c, d];
+        let Met::Surface { texture, .. } = a.met else { return self.shade_skies(four, found) };
+        let Texture::Layers(layers) = self.world.texture(texture) else { return self.shade_each(last, found) };
+        let place = |i: usize| match four[i].met {
+            Met::Surface { surface, space, .. } => (space.point, surface.uv),
+            Met::Sky => Default::default(),
+        };
+        let places = each_lane(place);
         let all = Neighbours {
             layers,
-            points: [a.space.point, b.space.point, c.space.point, d.space.point].into(),
-            uvs: [a.surface.uv, b.surface.uv, c.surface.uv, d.surface.uv],
+            points: each_lane(|i| places[i].0).into(),
+            uvs: each_lane(|i| places[i].1),
             colors: layers.iter().map(|_| OnceCell::new()).collect(),
         };
-        for (lane, sight) in [a, b, c, d].into_iter().enumerate() {
+        for (lane, sight) in four.into_iter().enumerate() {
             found.push(self.shade_sight(sight, Some(Neighbour { all: &all, lane })));
         }
     }
 
-    fn shade_sight<G: Gather>(&mut self, sight: &Sight<'_, 'w>, neighbour: Option<Neighbour<'_>>) -> G {
-        let [x, y] = sight.position;
-        self.start_at(x, y);
-        self.seen(sight.path, Some((sight.hit, sight.surface)), Some(Only { space: sight.space, neighbour }))
+    fn shade_skies<G: Gather>(&mut self, four: [&Sight<'_, 'w>; LANES], found: &mut Vec<G>) {
+        let Some(sky) = &self.world.atmosphere.sky else { return };
+        let points = Points::from(each_lane(|i| sky.sky_from_world.point(four[i].path.ray.direction)));
+        let uvs = [Uv::default(); LANES];
+        let colors: SmallVec<[_; 2]> = sky.pigments.iter().rev().map(|p| p.colors(&points, &uvs)).collect();
+        for (lane, Sight { position: [x, y], path, .. }) in four.into_iter().enumerate() {
+            self.start_at(*x, *y);
+            let light = self.sky_of(sky, path, colors.iter().map(|lanes| lanes[lane]));
+            found.push(self.seen_sky(path, light));
+        }
+    }
+}
+
+impl Sight<'_, '_> {
+    /// Whether a texture is the only one that shows.
+    fn shows(&self, texture: TextureId) -> bool {
+        matches!(self.met, Met::Surface { texture: own, .. } if own == texture)
     }
 }
 

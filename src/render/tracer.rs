@@ -10,6 +10,7 @@ use super::options::Options;
 use super::random::Random;
 use super::ray::{Inside, Interiors, Path, Radiance, Statistics};
 use crate::compiled::World;
+use crate::compiled::atmosphere::Sky;
 use crate::compiled::camera::Projection;
 use crate::compiled::geometry::{Hit, RayKind, Scratch, Surface, TextureRef};
 use crate::compiled::texture::{Context, Frame};
@@ -37,6 +38,8 @@ pub(super) struct Tracer<'w> {
     interiors_matter: bool,
     /// Whether neighbours among camera rays may share work.
     pub(super) side_by_side: bool,
+    /// Whether they do where they see the sky.
+    pub(super) sky_side_by_side: bool,
     /// Where the camera is, for projections with one centre.
     camera_interiors: Option<Interiors>,
     /// Of a camera with depth of field.
@@ -45,6 +48,7 @@ pub(super) struct Tracer<'w> {
 
 impl<'w> Tracer<'w> {
     pub(super) fn new(world: &'w World, options: &'w Options) -> Self {
+        let sky_side_by_side = world.atmosphere.sky.as_ref().is_some_and(Sky::is_side_by_side);
         let mut tracer = Self {
             world,
             options,
@@ -54,7 +58,8 @@ impl<'w> Tracer<'w> {
             statistics: Statistics::default(),
             all_opaque: world.all_opaque(),
             interiors_matter: world.interiors_matter(),
-            side_by_side: one_ray_a_position(world) && world.side_by_side.contains(&true),
+            side_by_side: one_ray_a_position(world) && (world.side_by_side.contains(&true) || sky_side_by_side),
+            sky_side_by_side,
             camera_interiors: None,
             lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(blur))),
         };
@@ -162,20 +167,33 @@ impl<'w> Tracer<'w> {
     /// The light from what a ray met.
     #[inline(always)]
     fn arrive<G: Gather>(&mut self, path: &Path, met: Option<(&Hit, &Surface)>, only: Option<Only<'_>>) -> G {
+        let Some((hit, surface)) = met else { return self.miss(path, self.sky(path)) };
         let mut found = G::default();
-        let length = match met {
-            Some((hit, surface)) => {
-                self.shade(path, hit, surface, only, &mut found);
-                hit.t
-            }
-            None => {
-                found.add(Term::Background, self.sky(path));
-                MISS_LENGTH
-            }
-        };
+        self.shade(path, hit, surface, only, &mut found);
+        self.dim(path, hit.t, &mut found);
+        found
+    }
+
+    /// The light along a ray that meets nothing but a sky.
+    fn miss<G: Gather>(&mut self, path: &Path, sky: Radiance) -> G {
+        let mut found = G::default();
+        found.add(Term::Background, sky);
+        self.dim(path, MISS_LENGTH, &mut found);
+        found
+    }
+
+    /// Lays what is in the air over what was found at the end of a ray.
+    #[inline(always)]
+    fn dim<G: Gather>(&mut self, path: &Path, length: f64, found: &mut G) {
         if let Some(veil) = self.veil(path, length) {
             found.veil(&veil);
         }
+    }
+
+    /// The light from the sky that a camera ray met.
+    pub(super) fn seen_sky<G: Gather>(&mut self, path: &Path, sky: Radiance) -> G {
+        let mut found: G = self.miss(path, sky);
+        found.note_sample();
         found
     }
 

@@ -113,7 +113,7 @@ impl Pigment {
     }
 
     /// Whether the colour depends on the normal.
-    pub(super) fn sees_normals(&self) -> bool {
+    pub fn sees_normals(&self) -> bool {
         self.has(&|pattern| pattern.kind.sees_normals())
     }
 
