@@ -13,9 +13,7 @@ use pulp::f64x4;
 
 /// The noises at four points.
 pub(super) fn noises(scaling: &'static Scaling, points: &Points) -> [f64; LANES] {
-    let mut noises = [[0.0; LANES]];
-    series_noises(scaling, points, 1.0, &mut noises);
-    noises[0]
+    dispatch(Noises { scaling, points })
 }
 
 /// Writes the noises at four points, at `factor` times them and so on, for as many frequencies as there is room for.
@@ -32,6 +30,20 @@ pub(super) fn noises_of_one(scaling: &'static Scaling, point: DVec3, factor: f64
 /// one before.
 pub(super) fn vector_sums(points: &Points, factor: f64, count: usize, ratio: f64) -> Points {
     dispatch(VectorSums { points, factor, count, ratio })
+}
+
+struct Noises<'a> {
+    scaling: &'static Scaling,
+    points: &'a Points,
+}
+
+impl Work for Noises<'_> {
+    type Output = [f64; LANES];
+
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) -> [f64; LANES] {
+        cast(self.scaling.noises(simd, Cells::around(simd, self.points.lanes()).sums(simd)))
+    }
 }
 
 struct SeriesNoises<'a> {
@@ -299,6 +311,9 @@ mod tests {
         let frequencies: Vec<_> = std::iter::successors(Some(1.0), |f| Some(f * factor)).take(MAX_OCTAVES).collect();
         for (k, frequency) in frequencies.iter().enumerate() {
             let expected = points.map(|p| noise(&SCALING, p * *frequency));
+            let scaled = points.map_coordinates(|_, c| c * frequency);
+            assert_eq!(super::noises(&SCALING, &scaled), expected, "{scaled:?}");
+            assert_eq!(Noises { scaling: &SCALING, points: &scaled }.run(Scalar256b), expected, "{scaled:?}");
             assert_eq!(noises.map(|all| all[k]), [expected; 2], "{points:?} times {frequency}");
         }
         let mut alone = [[0.0; MAX_OCTAVES]; 2];

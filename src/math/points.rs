@@ -1,7 +1,6 @@
 //! Four points at once, for work in SIMD lanes.
 
 use super::DVec3;
-use bytemuck::cast;
 use pulp::f64x4;
 
 /// How many points are worked on at once.
@@ -14,25 +13,23 @@ pub fn each_lane<T>(value: impl Fn(usize) -> T) -> [T; LANES] {
     [value(0), value(1), value(2), value(3)]
 }
 
-/// Four points, a coordinate of all four side by side.
+/// Four points. Their coordinates stand in pairs: plain code works on pairs, and lanes are read pair by pair, so that
+/// what the one has just written is at hand for the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Points {
-    /// By axis.
-    coordinates: [[f64; LANES]; 3],
+    /// Of points 0 and 1 and of points 2 and 3.
+    pairs: [Pair; 2],
 }
+
+/// Two points, by axis.
+type Pair = [[f64; 2]; 3];
 
 impl Points {
     /// The point in one lane.
     #[inline(always)]
     pub fn lane(&self, i: usize) -> DVec3 {
-        let [x, y, z] = &self.coordinates;
-        DVec3::new(x[i], y[i], z[i])
-    }
-
-    /// By axis, those of all four points.
-    #[inline(always)]
-    pub fn coordinates(&self) -> [[f64; LANES]; 3] {
-        self.coordinates
+        let [x, y, z] = &self.pairs[i / 2];
+        DVec3::new(x[i % 2], y[i % 2], z[i % 2])
     }
 
     /// What a function makes of each point.
@@ -45,39 +42,50 @@ impl Points {
         values
     }
 
+    /// The coordinates of all four points along an axis.
+    #[inline(always)]
+    pub fn along(&self, axis: usize) -> [f64; LANES] {
+        let [[a, b], [c, d]] = [self.pairs[0][axis], self.pairs[1][axis]];
+        [a, b, c, d]
+    }
+
     /// What a function of an axis makes of each coordinate along it.
     #[inline(always)]
     #[must_use]
     pub fn map_coordinates(&self, value: impl Fn(usize, f64) -> f64) -> Self {
-        let along = |axis: usize| each_lane(|i| value(axis, self.coordinates[axis][i]));
-        Self { coordinates: [along(0), along(1), along(2)] }
+        let both = |[a, b]: [f64; 2], axis: usize| [value(axis, a), value(axis, b)];
+        let of = |[x, y, z]: Pair| [both(x, 0), both(y, 1), both(z, 2)];
+        Self { pairs: [of(self.pairs[0]), of(self.pairs[1])] }
     }
 
     /// The points moved by `factor` times some vectors.
     #[inline(always)]
     #[must_use]
     pub fn moved(&self, factor: DVec3, by: &Self) -> Self {
-        let along = |axis: usize| each_lane(|i| self.coordinates[axis][i] + factor[axis] * by.coordinates[axis][i]);
-        Self { coordinates: [along(0), along(1), along(2)] }
+        let both = |p: [f64; 2], v: [f64; 2], factor: f64| [p[0] + factor * v[0], p[1] + factor * v[1]];
+        let of =
+            |p: Pair, v: Pair| [both(p[0], v[0], factor.x), both(p[1], v[1], factor.y), both(p[2], v[2], factor.z)];
+        Self { pairs: [of(self.pairs[0], by.pairs[0]), of(self.pairs[1], by.pairs[1])] }
     }
 
     /// As lanes, by axis.
     #[inline(always)]
     pub(crate) fn lanes(&self) -> [f64x4; 3] {
-        let [x, y, z] = self.coordinates;
-        [cast(x), cast(y), cast(z)]
+        let lanes = |[a, b, c, d]: [f64; LANES]| f64x4(a, b, c, d);
+        [lanes(self.along(0)), lanes(self.along(1)), lanes(self.along(2))]
     }
 
     /// From lanes, by axis.
     #[inline(always)]
     pub(crate) fn from_lanes([x, y, z]: [f64x4; 3]) -> Self {
-        Self { coordinates: [cast(x), cast(y), cast(z)] }
+        Self { pairs: [[[x.0, x.1], [y.0, y.1], [z.0, z.1]], [[x.2, x.3], [y.2, y.3], [z.2, z.3]]] }
     }
 }
 
 impl From<[DVec3; LANES]> for Points {
     #[inline(always)]
     fn from([a, b, c, d]: [DVec3; LANES]) -> Self {
-        Self { coordinates: [[a.x, b.x, c.x, d.x], [a.y, b.y, c.y, d.y], [a.z, b.z, c.z, d.z]] }
+        let pair = |a: DVec3, b: DVec3| [[a.x, b.x], [a.y, b.y], [a.z, b.z]];
+        Self { pairs: [pair(a, b), pair(c, d)] }
     }
 }

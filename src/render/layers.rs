@@ -187,7 +187,7 @@ impl Tracer<'_> {
             return Some(quick);
         }
         let known = neighbour.and_then(|neighbour| neighbour.color(index));
-        known.unwrap_or_else(|| layer.pigment.color(point, &place.context))
+        known.or_else(|| layer.pigment.color(point, &place.context))
     }
 
     /// A layer as light meets it.

@@ -7,20 +7,23 @@
 use super::camera::RawRay;
 use super::gather::Gather;
 use super::ray::Path;
-use super::tracer::{Tracer, lookup, nothing};
+use super::tracer::{Only, TextureSpace, Tracer, nothing, texture_space};
 use crate::compiled::geometry::{Hit, Surface, TextureId};
 use crate::compiled::texture::{Layer, Texture};
-use crate::math::{Color, DVec3, LANES, Points, Uv, each_lane};
+use crate::math::{Color, LANES, Points, Uv};
 use smallvec::SmallVec;
 use std::cell::OnceCell;
 
 /// A camera ray and what it met. It refers to the one before, so that everything stays where it was made.
-struct Sight<'s> {
-    before: Option<&'s Sight<'s>>,
+struct Sight<'s, 'w> {
+    before: Option<&'s Sight<'s, 'w>>,
     position: [f64; 2],
     path: &'s Path,
     hit: &'s Hit,
     surface: &'s Surface,
+    /// The only texture that shows.
+    texture: TextureId,
+    space: &'s TextureSpace<'w>,
 }
 
 /// Four points of one texture, and what colours its layers have there.
@@ -29,7 +32,7 @@ pub(super) struct Neighbours<'w> {
     points: Points,
     uvs: [Uv; LANES],
     /// By layer, as far as they have been asked for.
-    colors: SmallVec<[OnceCell<[Option<Color>; LANES]>; 1]>,
+    colors: SmallVec<[OnceCell<[Color; LANES]>; 1]>,
 }
 
 /// One of four neighbours.
@@ -41,7 +44,8 @@ pub(super) struct Neighbour<'p> {
 
 impl Neighbour<'_> {
     /// The colour of a layer, by its index, if it is one that is found for all four at once.
-    pub(super) fn color(self, layer: usize) -> Option<Option<Color>> {
+    #[inline(always)]
+    pub(super) fn color(self, layer: usize) -> Option<Color> {
         let Neighbours { layers, points, uvs, colors } = self.all;
         let Layer { pigment, side_by_side: true, .. } = &layers[layer] else { return None };
         Some(colors[layer].get_or_init(|| pigment.colors(points, uvs))[self.lane])
@@ -84,76 +88,80 @@ impl<'w> Tracer<'w> {
         if self.side_by_side && positions.len() == LANES {
             self.follow_all(positions, None, found);
         } else {
-            found.extend(positions.iter().map(|[x, y]| self.camera_ray::<G>(*x, *y)));
+            self.follow_each(positions, found);
         }
     }
 
-    /// Follows the rays through image positions, and shades them when all of them have met something.
-    fn follow_all<G: Gather>(&mut self, positions: &[[f64; 2]], before: Option<&Sight<'_>>, found: &mut Vec<G>) {
-        let Some((position, others)) = positions.split_first() else { return self.shade_all(before, found) };
-        let camera = &self.world.camera;
+    /// Follows the rays through image positions, and shades them together if all meet the same texture and that pays.
+    fn follow_all<G: Gather>(&mut self, positions: &[[f64; 2]], before: Option<&Sight<'_, 'w>>, found: &mut Vec<G>) {
+        let Some((position, others)) = positions.split_first() else { return self.shade_four(before, found) };
+        let world = self.world;
         let [x, y] = *position;
-        let Some(raw) = RawRay::through(camera, x, y, self.options.width, self.options.height) else {
-            self.shade_all(before, found);
+        let raw = RawRay::through(&world.camera, x, y, self.options.width, self.options.height);
+        let Some(raw) = raw else {
+            self.shade_each(before, found);
             found.push(nothing());
-            return others.iter().for_each(|[x, y]| found.push(self.camera_ray(*x, *y)));
+            return self.follow_each(others, found);
         };
-        let path = self.camera_path(raw.finish(camera), f64::INFINITY);
-        let Some(hit) = self.world.geometry.intersect(&path.ray, path.range, path.kind, &mut self.scratch) else {
-            self.shade_all(before, found);
+        let path = self.camera_path(raw.finish(&world.camera), f64::INFINITY);
+        let Some(hit) = world.geometry.intersect(&path.ray, path.range, path.kind, &mut self.scratch) else {
+            self.shade_each(before, found);
             self.start_at(x, y);
             found.push(self.seen(&path, None, None));
-            return others.iter().for_each(|[x, y]| found.push(self.camera_ray(*x, *y)));
+            return self.follow_each(others, found);
         };
-        let surface = self.world.geometry.surface(&path.ray, &hit);
-        let sight = Sight { before, position: *position, path: &path, hit: &hit, surface: &surface };
+        let surface = world.geometry.surface(&path.ray, &hit);
+        let only = match &*surface.textures {
+            [only] => Some(only).filter(|only| world.side_by_side[only.texture.0 as usize]),
+            _ => None,
+        };
+        let Some(only) = only.filter(|only| before.is_none_or(|before| before.texture == only.texture)) else {
+            self.shade_each(before, found);
+            self.start_at(x, y);
+            found.push(self.seen(&path, Some((&hit, &surface)), None));
+            return self.follow_each(others, found);
+        };
+        let space = texture_space(world, &surface, &hit, only);
+        let (position, texture) = (*position, only.texture);
+        let sight = Sight { before, position, path: &path, hit: &hit, surface: &surface, texture, space: &space };
         self.follow_all(others, Some(&sight), found);
     }
 
-    fn shade_all<G: Gather>(&mut self, last: Option<&Sight<'_>>, found: &mut Vec<G>) {
-        let mut sights: SmallVec<[&Sight<'_>; LANES]> = std::iter::successors(last, |sight| sight.before).collect();
-        sights.reverse();
-        let neighbours = self.neighbours(&sights);
-        for (lane, sight) in sights.iter().enumerate() {
-            let [x, y] = sight.position;
-            self.start_at(x, y);
-            let neighbour = neighbours.as_ref().map(|all| Neighbour { all, lane });
-            found.push(self.seen(sight.path, Some((sight.hit, sight.surface)), neighbour));
+    fn follow_each<G: Gather>(&mut self, positions: &[[f64; 2]], found: &mut Vec<G>) {
+        positions.iter().for_each(|[x, y]| found.push(self.camera_ray(*x, *y)));
+    }
+
+    fn shade_each<G: Gather>(&mut self, last: Option<&Sight<'_, 'w>>, found: &mut Vec<G>) {
+        if let Some(last) = last {
+            self.shade_each(last.before, found);
+            found.push(self.shade_sight(last, None));
         }
     }
 
-    /// What four hits have in common, if that is worth anything.
-    fn neighbours(&self, sights: &[&Sight<'_>]) -> Option<Neighbours<'w>> {
-        let [first, others @ ..] = sights else { return None };
-        let texture = first.only_texture()?;
-        if sights.len() != LANES || others.iter().any(|other| other.only_texture() != Some(texture)) {
-            return None;
-        }
-        let Texture::Layers(layers) = self.world.texture(texture) else { return None };
-        if !layers.iter().any(|layer| layer.side_by_side) {
-            return None;
-        }
-        Some(Neighbours {
+    fn shade_four<G: Gather>(&mut self, last: Option<&Sight<'_, 'w>>, found: &mut Vec<G>) {
+        let [Some(d), Some(c), Some(b), Some(a)] = before(last) else { return self.shade_each(last, found) };
+        let Texture::Layers(layers) = self.world.texture(a.texture) else { return self.shade_each(last, found) };
+        let all = Neighbours {
             layers,
-            points: each_lane(|i| sights[i].lookup(self)).into(),
-            uvs: each_lane(|i| sights[i].surface.uv),
+            points: [a.space.point, b.space.point, c.space.point, d.space.point].into(),
+            uvs: [a.surface.uv, b.surface.uv, c.surface.uv, d.surface.uv],
             colors: layers.iter().map(|_| OnceCell::new()).collect(),
-        })
+        };
+        for (lane, sight) in [a, b, c, d].into_iter().enumerate() {
+            found.push(self.shade_sight(sight, Some(Neighbour { all: &all, lane })));
+        }
+    }
+
+    fn shade_sight<G: Gather>(&mut self, sight: &Sight<'_, 'w>, neighbour: Option<Neighbour<'_>>) -> G {
+        let [x, y] = sight.position;
+        self.start_at(x, y);
+        self.seen(sight.path, Some((sight.hit, sight.surface)), Some(Only { space: sight.space, neighbour }))
     }
 }
 
-impl Sight<'_> {
-    /// The texture that shows, where it is no more than one.
-    fn only_texture(&self) -> Option<TextureId> {
-        match &*self.surface.textures {
-            [only] => Some(only.texture),
-            _ => None,
-        }
-    }
-
-    /// Where the first texture is looked up.
-    fn lookup(&self, tracer: &Tracer<'_>) -> DVec3 {
-        let first = self.surface.textures.first();
-        first.map_or(DVec3::ZERO, |seen| lookup(tracer.world, self.surface, self.hit, seen).0)
-    }
+/// Four sights, the last one first.
+fn before<'s, 'w>(last: Option<&'s Sight<'s, 'w>>) -> [Option<&'s Sight<'s, 'w>>; LANES] {
+    let next = |sight: Option<&'s Sight<'s, 'w>>| sight.and_then(|sight| sight.before);
+    let (second, third) = (next(last), next(next(last)));
+    [last, second, third, next(third)]
 }

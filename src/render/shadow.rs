@@ -4,7 +4,7 @@
 
 use super::layers::Place;
 use super::ray::{Inside, Interiors};
-use super::tracer::{Tracer, context_at, lookup};
+use super::tracer::{TextureSpace, Tracer, context_at, texture_space};
 use crate::compiled::geometry::{Hit, RayKind, Surface};
 use crate::compiled::light::{Area, Arrival, Light, is_dark};
 use crate::compiled::texture::{Context, Frame, Pick, Texture};
@@ -141,7 +141,7 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for seen in &surface.textures {
             let texture = self.world.texture(seen.texture);
-            let (point, texture_from_world) = lookup(self.world, surface, hit, seen);
+            let TextureSpace { point, texture_from_world } = texture_space(self.world, surface, hit, seen);
             let mut frame = Frame::new(texture_from_world.as_deref());
             let caustics = texture.top_layer().and_then(|top| top.finish.caustics).unwrap_or(caustics);
             sum += seen.weight * self.transmittance(texture, point, &mut frame, &mut context, caustics);

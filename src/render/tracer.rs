@@ -12,7 +12,7 @@ use super::ray::{Inside, Interiors, Path, Radiance, Statistics};
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
 use crate::compiled::geometry::{Hit, RayKind, Scratch, Surface, TextureRef};
-use crate::compiled::texture::{Context, Frame, Texture};
+use crate::compiled::texture::{Context, Frame};
 use crate::math::{DVec3, Range, Ray, Transform};
 use std::borrow::Cow;
 use std::rc::Rc;
@@ -54,7 +54,7 @@ impl<'w> Tracer<'w> {
             statistics: Statistics::default(),
             all_opaque: world.all_opaque(),
             interiors_matter: world.interiors_matter(),
-            side_by_side: one_ray_a_position(world) && world.textures.iter().any(Texture::is_side_by_side),
+            side_by_side: one_ray_a_position(world) && world.side_by_side.contains(&true),
             camera_interiors: None,
             lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(blur))),
         };
@@ -161,11 +161,11 @@ impl<'w> Tracer<'w> {
 
     /// The light from what a ray met.
     #[inline(always)]
-    fn arrive<G: Gather>(&mut self, path: &Path, met: Option<(&Hit, &Surface)>, neighbour: Option<Neighbour<'_>>) -> G {
+    fn arrive<G: Gather>(&mut self, path: &Path, met: Option<(&Hit, &Surface)>, only: Option<Only<'_>>) -> G {
         let mut found = G::default();
         let length = match met {
             Some((hit, surface)) => {
-                self.shade(path, hit, surface, neighbour, &mut found);
+                self.shade(path, hit, surface, only, &mut found);
                 hit.t
             }
             None => {
@@ -180,36 +180,33 @@ impl<'w> Tracer<'w> {
     }
 
     /// The light from what a camera ray met.
-    pub(super) fn seen<G: Gather>(
-        &mut self,
-        path: &Path,
-        met: Option<(&Hit, &Surface)>,
-        neighbour: Option<Neighbour<'_>>,
-    ) -> G {
-        let mut found: G = self.arrive(path, met, neighbour);
+    pub(super) fn seen<G: Gather>(&mut self, path: &Path, met: Option<(&Hit, &Surface)>, only: Option<Only<'_>>) -> G {
+        let mut found: G = self.arrive(path, met, only);
         found.note_sample();
         found
     }
 
-    fn shade<G: Gather>(
-        &mut self,
-        path: &Path,
-        hit: &Hit,
-        surface: &Surface,
-        neighbour: Option<Neighbour<'_>>,
-        found: &mut G,
-    ) {
+    #[inline(always)]
+    fn shade<G: Gather>(&mut self, path: &Path, hit: &Hit, surface: &Surface, only: Option<Only<'_>>, found: &mut G) {
         let world = self.world;
+        let neighbour = only.and_then(|only| only.neighbour);
         let context = context_at(surface, path.ray.direction);
         let mut place = Place { path, surface, context, length: hit.t, lights: LightCache::default(), neighbour };
         for seen in &surface.textures {
             if seen.weight < world.settings.adc_bailout {
                 continue;
             }
-            let (point, texture_from_world) = lookup(world, surface, hit, seen);
+            let now;
+            let TextureSpace { point, texture_from_world } = match only {
+                Some(only) => only.space,
+                None => {
+                    now = texture_space(world, surface, hit, seen);
+                    &now
+                }
+            };
             let mut frame = Frame::new(texture_from_world.as_deref());
             let texture = world.texture(seen.texture);
-            let shaded: G = self.shade_texture(texture, point, &mut frame, &mut place, true);
+            let shaded: G = self.shade_texture(texture, *point, &mut frame, &mut place, true);
             found.add_scaled(&shaded, seen.weight);
         }
         found.note_hit(surface, hit.t, place.facing());
@@ -228,20 +225,29 @@ pub(super) fn context_at(surface: &Surface, direction: DVec3) -> Context {
     Context { uv: surface.uv, normal, perturbed_normal: normal, direction, point: surface.point }
 }
 
-/// Where a texture of a hit is looked up, and the map there, unless it is looked up by surface coordinates.
+/// Where a texture of a hit is looked up.
+pub(super) struct TextureSpace<'w> {
+    pub(super) point: DVec3,
+    /// The map there, unless it is looked up by surface coordinates.
+    pub(super) texture_from_world: Option<Cow<'w, Transform>>,
+}
+
+/// What is known already of a hit with a single texture.
+#[derive(Clone, Copy)]
+pub(super) struct Only<'p> {
+    pub(super) space: &'p TextureSpace<'p>,
+    pub(super) neighbour: Option<Neighbour<'p>>,
+}
+
+/// Where a texture of a hit is looked up.
 // Always inline: the map is too large to be handed back for nothing.
 #[inline(always)]
-pub(super) fn lookup<'w>(
-    world: &'w World,
-    surface: &Surface,
-    hit: &Hit,
-    seen: &TextureRef,
-) -> (DVec3, Option<Cow<'w, Transform>>) {
+pub(super) fn texture_space<'w>(world: &'w World, surface: &Surface, hit: &Hit, seen: &TextureRef) -> TextureSpace<'w> {
     if surface.uv_mapping {
-        return (surface.uv.lookup_point(), None);
+        return TextureSpace { point: surface.uv.lookup_point(), texture_from_world: None };
     }
     let texture_from_world = world.geometry.texture_from_world(hit, seen);
-    (texture_from_world.point(surface.point), Some(texture_from_world))
+    TextureSpace { point: texture_from_world.point(surface.point), texture_from_world: Some(texture_from_world) }
 }
 
 /// What an image position gives through which the camera sends no ray.

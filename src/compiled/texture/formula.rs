@@ -1,7 +1,7 @@
 //! The formulas of patterns: which is which, and those that need neither noise nor tables.
 
 use super::lookup::{AtPoint, AtPoints, Lookup};
-use super::noise_formula::GRANITE_SCALE;
+use super::noise_formula::{GRANITE_OCTAVES, GRANITE_SCALE, WRINKLES_OCTAVES};
 use super::{Context, InnerTurbulence, Pattern, PatternKind, crackle, noise_formula};
 use crate::math::noise::{noise, vector_noise};
 use crate::math::{DVec3, LANES, Points, Uv, floor, fraction, modulo, round};
@@ -61,9 +61,9 @@ fn raw<L: Lookup>(pattern: &Pattern, at: L) -> L::Values {
         PatternKind::Fractal(fractal) => at.map(|p| fractal.value(p.x, p.y)),
         PatternKind::Function(f) => at.map(|p| wrapped(f.at(p))),
         PatternKind::Gradient(direction) => at.map(|p| gradient(p, *direction)),
-        PatternKind::Granite(generator) => {
-            at.map_noises(*generator, GRANITE_SCALE, |noises| noise_formula::granite(*generator, noises))
-        }
+        PatternKind::Granite(generator) => at.map_halving::<GRANITE_OCTAVES>(*generator, GRANITE_SCALE, 1.0, |noise| {
+            noise_formula::granite(*generator, noise)
+        }),
         PatternKind::Hexagon => at.map(|p| hexagon(p.x, p.z)),
         PatternKind::Image(image, mapping) => at.map(|p| image.pattern_value(mapping, p)),
         PatternKind::Leopard => at.map_sines(noise_formula::leopard),
@@ -94,7 +94,7 @@ fn raw<L: Lookup>(pattern: &Pattern, at: L) -> L::Values {
             noise_formula::wobbling_wood(inner.amount, turbulence, p)
         }),
         PatternKind::Wrinkles(generator) => {
-            at.map_noises(*generator, 1.0, |noises| noise_formula::wrinkles(*generator, noises))
+            at.map_halving::<WRINKLES_OCTAVES>(*generator, 1.0, 0.5, |noise| noise_formula::wrinkles(*generator, noise))
         }
     }
 }

@@ -22,12 +22,14 @@ pub(super) trait Lookup: Copy {
     /// The values of a formula of a noise.
     fn map_noise(self, generator: NoiseGenerator, formula: impl Fn(f64) -> f64) -> Self::Values;
 
-    /// The values of a formula of noises at `scale` times the point, at twice that and so on.
-    fn map_noises<const COUNT: usize>(
+    /// The sums of terms of noises at `scale` times the point, at twice that and so on. The first term counts `weight`
+    /// times, every other half as much as the one before.
+    fn map_halving<const COUNT: usize>(
         self,
         generator: NoiseGenerator,
         scale: f64,
-        formula: impl Fn([f64; COUNT]) -> f64,
+        weight: f64,
+        term: impl Fn(f64) -> f64,
     ) -> Self::Values;
 
     /// The values of a formula of turbulence and the point.
@@ -84,13 +86,19 @@ impl Lookup for AtPoint<'_> {
     }
 
     #[inline(always)]
-    fn map_noises<const COUNT: usize>(
+    fn map_halving<const COUNT: usize>(
         self,
         generator: NoiseGenerator,
         scale: f64,
-        formula: impl Fn([f64; COUNT]) -> f64,
+        mut weight: f64,
+        term: impl Fn(f64) -> f64,
     ) -> f64 {
-        formula(noises(generator, scale * self.point(), 2.0))
+        let mut sum = 0.0;
+        for noise in noises::<COUNT>(generator, scale * self.point(), 2.0) {
+            sum += weight * term(noise);
+            weight *= 0.5;
+        }
+        sum
     }
 
     #[inline(always)]
@@ -142,19 +150,20 @@ impl Lookup for AtPoints<'_> {
     }
 
     #[inline(always)]
-    fn map_noises<const COUNT: usize>(
+    fn map_halving<const COUNT: usize>(
         self,
         generator: NoiseGenerator,
         scale: f64,
-        formula: impl Fn([f64; COUNT]) -> f64,
+        mut weight: f64,
+        term: impl Fn(f64) -> f64,
     ) -> [f64; LANES] {
         let scaled = self.points.map_coordinates(|_, c| scale * c);
-        let noises = noises_of_points::<COUNT>(generator, &scaled, 2.0);
-        each_lane(|i| {
-            let mut own = [0.0; COUNT];
-            own.iter_mut().zip(&noises).for_each(|(own, lanes)| *own = lanes[i]);
-            formula(own)
-        })
+        let mut sums = [0.0; LANES];
+        for noises in noises_of_points::<COUNT>(generator, &scaled, 2.0) {
+            sums = each_lane(|i| sums[i] + weight * term(noises[i]));
+            weight *= 0.5;
+        }
+        sums
     }
 
     #[inline(always)]
@@ -176,13 +185,14 @@ impl Lookup for AtPoints<'_> {
 
     #[inline(always)]
     fn map_sines(self, formula: impl Fn([f64; 3]) -> f64) -> [f64; LANES] {
-        let [x, y, z] = self.points.coordinates().map(sines_of);
+        let along = |axis| sines_of(self.points.along(axis));
+        let (x, y, z) = (along(0), along(1), along(2));
         each_lane(|i| formula([x[i], y[i], z[i]]))
     }
 
     #[inline(always)]
     fn map_pigment(self, pigment: &Pigment) -> [f64; LANES] {
-        let colors = pigment.colors_or_clear(self.points, self.uvs);
+        let colors = pigment.colors(self.points, self.uvs);
         each_lane(|i| f64::from(gray(colors[i].rgb)))
     }
 }

@@ -16,42 +16,32 @@ fn sine(turns: f64) -> f64 {
 
 /// Granite's first frequency.
 pub(super) const GRANITE_SCALE: f64 = 4.0;
+/// How many octaves of noise granite is.
+pub(super) const GRANITE_OCTAVES: usize = 6;
+/// How many octaves of noise wrinkles are.
+pub(super) const WRINKLES_OCTAVES: usize = 10;
 
-/// Granite: six octaves of folded noise.
-pub(super) fn granite(generator: NoiseGenerator, noises: [f64; 6]) -> f64 {
-    let fold = |n: f64| match generator {
-        NoiseGenerator::Original => (0.5 - n).abs(),
-        _ => (1.0 - 2.0 * n).abs().min(0.5),
-    };
-    halving(noises.into_iter().map(fold))
+/// An octave of granite: a folded noise.
+#[inline(always)]
+pub(super) fn granite(generator: NoiseGenerator, noise: f64) -> f64 {
+    match generator {
+        NoiseGenerator::Original => (0.5 - noise).abs(),
+        _ => (1.0 - 2.0 * noise).abs().min(0.5),
+    }
 }
 
-/// How many octaves of noise wrinkles are.
-const WRINKLES_OCTAVES: usize = 10;
-
-/// Wrinkles.
-pub(super) fn wrinkles(generator: NoiseGenerator, noises: [f64; WRINKLES_OCTAVES]) -> f64 {
-    let fold = |n: f64| match generator {
-        NoiseGenerator::Original => n,
-        _ => (2.0 * n - 0.5).clamp(0.0, 1.0),
-    };
-    0.5 * halving(noises.into_iter().map(fold))
+/// An octave of wrinkles.
+#[inline(always)]
+pub(super) fn wrinkles(generator: NoiseGenerator, noise: f64) -> f64 {
+    match generator {
+        NoiseGenerator::Original => noise,
+        _ => (2.0 * noise - 0.5).clamp(0.0, 1.0),
+    }
 }
 
 /// Displacement of a normal by wrinkles.
 pub(super) fn wrinkles_bump(p: DVec3) -> DVec3 {
     halving_vector_noises(p, WRINKLES_OCTAVES)
-}
-
-/// The sum of terms, each with half the weight of the one before.
-#[inline(always)]
-fn halving(terms: impl Iterator<Item = f64>) -> f64 {
-    let mut weight = 1.0;
-    terms.fold(0.0, |sum, term| {
-        let weighted = term * weight;
-        weight *= 0.5;
-        sum + weighted
-    })
 }
 
 /// Agate: bands along z, shifted by `amount` times a turbulence.

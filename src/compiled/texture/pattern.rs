@@ -137,6 +137,23 @@ impl PatternKind {
         Self::Brick { size, mortar, limit: DVec3::splat(mortar) / size }
     }
 
+    /// Whether noise is part of the formula.
+    fn is_noisy(&self) -> bool {
+        match self {
+            Self::Agate { .. }
+            | Self::Bozo(_)
+            | Self::Bumps(_)
+            | Self::Dents(_)
+            | Self::Granite(_)
+            | Self::Wrinkles(_) => true,
+            Self::Marble(inner) | Self::Spiral1(_, inner) | Self::Spiral2(_, inner) | Self::Wood(inner) => {
+                inner.is_some()
+            }
+            Self::Pigment(pigment) => pigment.has(&Pattern::is_noisy),
+            _ => false,
+        }
+    }
+
     /// Whether the value depends on the normal.
     pub fn sees_normals(&self) -> bool {
         match self {
@@ -151,6 +168,11 @@ impl Pattern {
     /// The bare formula: no warps, ramp wave, frequency 1.
     pub fn of(kind: PatternKind) -> Self {
         Self { kind, warps: Box::default(), wave: Wave::Ramp, frequency: 1.0, phase: 0.0 }
+    }
+
+    /// Whether noise is needed for a value.
+    pub(super) fn is_noisy(&self) -> bool {
+        self.kind.is_noisy() || self.warps.iter().any(|warp| matches!(warp, Warp::Turbulence { .. }))
     }
 
     /// Carries a point from the space that contains the pattern to that of the formula.

@@ -21,6 +21,10 @@ pub enum Pigment {
 /// White and clear: what a picture shows outside of itself.
 const CLEAR: Color = Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
 
+/// From so many patterns on finding the colours of neighbours together gains more than bringing them together costs,
+/// even without noise (measured).
+const MANY_PATTERNS: usize = 4;
+
 impl Pigment {
     /// The colour at a point of the containing space; `None` where a picture shown once leaves a hole.
     pub fn color(&self, point: DVec3, context: &Context) -> Option<Color> {
@@ -44,31 +48,14 @@ impl Pigment {
         }
     }
 
-    /// [`color`](Self::color) at four points, each with its surface coordinates; of a pigment that is
-    /// [worked out side by side](Self::is_side_by_side).
-    pub fn colors(&self, points: &Points, uvs: &[Uv; LANES]) -> [Option<Color>; LANES] {
-        match self {
-            Self::Uv(pigment) => pigment.colors(&each_lane(|i| uvs[i].lookup_point()).into(), uvs),
-            Self::Image(pattern, image) => {
-                let warped = pattern.warp_points(points);
-                each_lane(|i| image.color(warped.lane(i)))
-            }
-            Self::Solid(_) | Self::Colors(..) | Self::Pigments(..) => {
-                let colors = self.colors_or_clear(points, uvs);
-                each_lane(|i| Some(colors[i]))
-            }
-        }
-    }
-
-    /// [`color_or_clear`](Self::color_or_clear) at four points; else as [`colors`](Self::colors).
-    pub(super) fn colors_or_clear(&self, points: &Points, uvs: &[Uv; LANES]) -> [Color; LANES] {
+    /// [`color_or_clear`](Self::color_or_clear) at four points, each with its surface coordinates; of a pigment that
+    /// is [worked out side by side](Self::is_side_by_side) or is part of one.
+    pub fn colors(&self, points: &Points, uvs: &[Uv; LANES]) -> [Color; LANES] {
         match self {
             Self::Solid(color) => [*color; LANES],
             Self::Colors(pattern, colors) => {
                 let values = pattern.values_at_warped(&pattern.warp_points(points), uvs);
-                let mut found = [Color::BLACK; LANES];
-                found.iter_mut().zip(values).for_each(|(color, value)| *color = picked(colors.pick(value)));
-                found
+                each_lane(|i| picked(colors.pick(values[i])))
             }
             Self::Pigments(pattern, Blend::Average(all)) => {
                 let warped = pattern.warp_points(points);
@@ -79,17 +66,16 @@ impl Pigment {
             Self::Pigments(pattern, pigments) => {
                 let warped = pattern.warp_points(points);
                 let values = pattern.values_at_warped(&warped, uvs);
-                let mut found = [Color::BLACK; LANES];
-                for (i, color) in found.iter_mut().enumerate() {
+                each_lane(|i| {
                     let context = Context { uv: uvs[i], ..Context::default() };
-                    *color = mixed(pigments.pick(values[i]), warped.lane(i), &context);
-                }
-                found
+                    mixed(pigments.pick(values[i]), warped.lane(i), &context)
+                })
             }
-            Self::Image(..) | Self::Uv(_) => {
-                let colors = self.colors(points, uvs);
-                each_lane(|i| colors[i].unwrap_or(CLEAR))
+            Self::Image(pattern, image) => {
+                let warped = pattern.warp_points(points);
+                each_lane(|i| image.color(warped.lane(i)).unwrap_or(CLEAR))
             }
+            Self::Uv(pigment) => pigment.colors(&each_lane(|i| uvs[i].lookup_point()).into(), uvs),
         }
     }
 
@@ -99,28 +85,45 @@ impl Pigment {
             let values = pattern.values_at_warped(&pattern.warp_points(points), uvs);
             sums.iter_mut().zip(values).for_each(|(sum, value)| *sum = sum.plus(weight, picked(colors.pick(value))));
         } else {
-            let colors = self.colors_or_clear(points, uvs);
+            let colors = self.colors(points, uvs);
             sums.iter_mut().zip(colors).for_each(|(sum, color)| *sum = sum.plus(weight, color));
         }
     }
 
-    /// Whether it pays to find the colours of neighbours at once: there is a pattern, and none that looks at normals,
-    /// which the bumps of other layers change.
+    /// Whether it pays to find the colours of neighbours at once: there is noise, or there are many patterns; none looks
+    /// at normals, which the bumps of other layers change; and no picture may leave holes.
     pub fn is_side_by_side(&self) -> bool {
         match self {
             Self::Solid(_) | Self::Image(..) => false,
-            Self::Colors(..) | Self::Pigments(..) => !self.sees_normals(),
+            Self::Colors(..) | Self::Pigments(..) => {
+                (self.has(&Pattern::is_noisy) || self.n_patterns() >= MANY_PATTERNS) && !self.sees_normals()
+            }
             Self::Uv(pigment) => pigment.is_side_by_side(),
+        }
+    }
+
+    /// How many patterns it is made of.
+    fn n_patterns(&self) -> usize {
+        match self {
+            Self::Solid(_) => 0,
+            Self::Colors(..) | Self::Image(..) => 1,
+            Self::Pigments(_, pigments) => 1 + pigments.iter().map(Self::n_patterns).sum::<usize>(),
+            Self::Uv(pigment) => pigment.n_patterns(),
         }
     }
 
     /// Whether the colour depends on the normal.
     pub(super) fn sees_normals(&self) -> bool {
+        self.has(&|pattern| pattern.kind.sees_normals())
+    }
+
+    /// Whether a pattern of some sort is among its own.
+    pub(super) fn has(&self, is_such: &impl Fn(&Pattern) -> bool) -> bool {
         match self {
             Self::Solid(_) => false,
-            Self::Colors(pattern, _) | Self::Image(pattern, _) => pattern.kind.sees_normals(),
-            Self::Pigments(pattern, pigments) => pattern.kind.sees_normals() || pigments.iter().any(Self::sees_normals),
-            Self::Uv(pigment) => pigment.sees_normals(),
+            Self::Colors(pattern, _) | Self::Image(pattern, _) => is_such(pattern),
+            Self::Pigments(pattern, pigments) => is_such(pattern) || pigments.iter().any(|p| p.has(is_such)),
+            Self::Uv(pigment) => pigment.has(is_such),
         }
     }
 
