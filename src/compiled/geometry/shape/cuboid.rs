@@ -33,6 +33,20 @@ impl Cuboid {
         if first - last > gamma(16) * (first.abs() + last.abs()) {
             return None;
         }
+        let (enter, leave) = (near.max_element(), far.min_element());
+        let (enter_axis, leave_axis) = (only_near(near, enter), only_near(far, leave));
+        if let (Some(enter_axis), Some(leave_axis)) = (enter_axis, leave_axis) {
+            let turned = turned.bitmask();
+            let enter = ShapeHit { t: enter, part: 2 * enter_axis + (turned >> enter_axis & 1) };
+            let leave = ShapeHit { t: leave, part: 2 * leave_axis + (!turned >> leave_axis & 1) };
+            return (enter.t <= leave.t).then_some((enter, leave));
+        }
+        Self::crossing_pair_at_edge(d, near, far)
+    }
+
+    /// The same where a ray may meet an edge, from where it meets the faces along each axis.
+    #[inline(never)]
+    fn crossing_pair_at_edge(d: DVec3, near: DVec3, far: DVec3) -> Option<(ShapeHit, ShapeHit)> {
         let mut enter = (f64::NEG_INFINITY, 0, 0.0);
         let mut leave = (f64::INFINITY, 0, 0.0);
         for axis in 0..3 {
@@ -72,6 +86,13 @@ impl Cuboid {
             _ => DVec2::new(0.25 + p.x / 4.0, side),
         }
     }
+}
+
+/// The axis of the only number that is as near to `t`, which is one of them, as ties are to each other, or nearly so.
+#[inline(always)]
+fn only_near(numbers: DVec3, t: f64) -> Option<u32> {
+    let close = (numbers - t).abs().cmple(DVec3::splat(gamma(16) * t.abs())).bitmask();
+    (close.count_ones() == 1).then_some(close.trailing_zeros())
 }
 
 impl Primitive for Cuboid {
