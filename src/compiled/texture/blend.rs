@@ -27,6 +27,26 @@ pub enum Pick<'a, T> {
     All(&'a [(f32, T)]),
 }
 
+impl<T> Pick<'_, T> {
+    /// Whether another pick has the same items, in whatever shares.
+    pub fn is_like(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::One(a), Self::One(b)) => std::ptr::eq(*a, *b),
+            (Self::Two(a, b, _), Self::Two(c, d, _)) => std::ptr::eq(*a, *c) && std::ptr::eq(*b, *d),
+            (Self::All(_), Self::All(_)) => true,
+            _ => false,
+        }
+    }
+
+    /// The upper neighbour's share, 0 where there is none.
+    pub fn share(&self) -> f32 {
+        match self {
+            Self::Two(.., share) => *share,
+            Self::One(_) | Self::All(_) => 0.0,
+        }
+    }
+}
+
 /// As many entries are looked through one by one.
 const FEW: usize = 8;
 

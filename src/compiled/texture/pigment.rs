@@ -33,7 +33,7 @@ impl Pigment {
             Self::Colors(pattern, colors) => Some(blended(pattern, colors, point, context)),
             Self::Pigments(pattern, pigments) => {
                 let (pick, warped) = pattern.pick(pigments, point, context);
-                Some(mixed(pick, warped, context))
+                Some(mixed(&pick, warped, context))
             }
             Self::Image(pattern, image) => image.color(pattern.warp(point)),
             Self::Uv(pigment) => pigment.color(context.uv_point(), context),
@@ -66,10 +66,20 @@ impl Pigment {
             Self::Pigments(pattern, pigments) => {
                 let warped = pattern.warp_points(points);
                 let values = pattern.values_at_warped(&warped, uvs);
-                each_lane(|i| {
-                    let context = Context { uv: uvs[i], ..Context::default() };
-                    mixed(pigments.pick(values[i]), warped.lane(i), &context)
-                })
+                let picks = each_lane(|i| pigments.pick(values[i]));
+                match picks[0] {
+                    Pick::One(pigment) if picks.iter().all(|pick| pick.is_like(&picks[0])) => {
+                        pigment.colors(&warped, uvs)
+                    }
+                    Pick::Two(lower, upper, _) if picks.iter().all(|pick| pick.is_like(&picks[0])) => {
+                        let (lower, upper) = (lower.colors(&warped, uvs), upper.colors(&warped, uvs));
+                        each_lane(|i| lower[i].lerp(upper[i], picks[i].share()))
+                    }
+                    _ => each_lane(|i| {
+                        let context = Context { uv: uvs[i], ..Context::default() };
+                        mixed(&picks[i], warped.lane(i), &context)
+                    }),
+                }
             }
             Self::Image(pattern, image) => {
                 let warped = pattern.warp_points(points);
@@ -170,11 +180,11 @@ fn picked(pick: Pick<'_, Color>) -> Color {
 }
 
 /// The colour of what was picked of some pigments.
-fn mixed(pick: Pick<'_, Pigment>, point: DVec3, context: &Context) -> Color {
+fn mixed(pick: &Pick<'_, Pigment>, point: DVec3, context: &Context) -> Color {
     let color = |pigment: &Pigment| pigment.color_or_clear(point, context);
     match pick {
         Pick::One(pigment) => color(pigment),
-        Pick::Two(lower, upper, share) => color(lower).lerp(color(upper), share),
+        Pick::Two(lower, upper, share) => color(lower).lerp(color(upper), *share),
         Pick::All(all) => weighted_sum(all.iter().map(|(w, p)| (*w, color(p)))),
     }
 }
