@@ -18,6 +18,12 @@ use std::rc::Rc;
 pub(super) struct Lens {
     points: Vec<DVec2>,
     jitter: f64,
+    /// Unit vectors in the plane of the lens.
+    across: DVec3,
+    along: DVec3,
+    half_aperture: f64,
+    /// From the length of the camera's direction to the distance that is in focus.
+    scale: f64,
     /// Chi-square thresholds for stopping, by sample count.
     quantiles: Vec<f64>,
 }
@@ -35,7 +41,7 @@ impl Tracer<'_> {
             for _ in 0..batch {
                 // A lens ray that does not exist counts as clear where samples are compared, but adds nothing.
                 let mut light = Radiance::CLEAR;
-                if let Some(ray) = self.lens_ray(blur, &lens, x, y, n, base) {
+                if let Some(ray) = self.lens_ray(&lens, x, y, n, base) {
                     let found: G = self.follow(ray, f64::INFINITY);
                     light = found.light();
                     sum.add_scaled(&found, 1.0);
@@ -59,7 +65,7 @@ impl Tracer<'_> {
         sum.scaled(1.0 / n.max(1) as f32)
     }
 
-    fn lens_ray(&self, blur: &FocalBlur, lens: &Lens, x: f64, y: f64, k: usize, base: i64) -> Option<Ray> {
+    fn lens_ray(&self, lens: &Lens, x: f64, y: f64, k: usize, base: i64) -> Option<Ray> {
         let camera = &self.world.camera;
         let cell = |i: i64| (2.0 * (shuffled(base + i) % 16) as f64 + 1.0) / 32.0 - 0.5;
         let k_index = k as i64;
@@ -69,11 +75,8 @@ impl Tracer<'_> {
         let raw = RawRay::through(camera, x, y, self.options.width, self.options.height)?;
         let [jx, jy] = jitter(x + 0.5, y - 0.5);
         let point = lens.points[k] + 2.0 * lens.jitter * DVec2::new(jx, jy);
-        let across = camera.up.cross(camera.direction).normalize_or(DVec3::X);
-        let along = camera.direction.cross(across).normalize_or(DVec3::Y);
-        let shift = 0.5 * blur.aperture * (point.x * across - point.y * along);
-        let scale = blur.focal_distance / camera.direction.length();
-        Some(raw.focused(camera, shift, scale))
+        let shift = lens.half_aperture * (point.x * lens.across - point.y * lens.along);
+        Some(raw.focused(camera, shift, lens.scale))
     }
 }
 
@@ -87,8 +90,10 @@ impl RawRay {
 }
 
 impl Lens {
-    /// Points and thresholds of a camera's lens.
-    pub(super) fn new(blur: &FocalBlur) -> Self {
+    /// The lens of a camera.
+    pub(super) fn new(camera: &Camera, blur: &FocalBlur) -> Self {
+        let across = camera.up.cross(camera.direction).normalize_or(DVec3::X);
+        let along = camera.direction.cross(across).normalize_or(DVec3::Y);
         let n = blur.max_samples.max(1);
         let (points, jitter) = match &blur.bokeh {
             Some(pigment) => {
@@ -108,7 +113,15 @@ impl Lens {
             }
         };
         let quantiles = (0..=n).map(|nu| stopping_quantile(nu, blur.confidence)).collect();
-        Self { points, jitter, quantiles }
+        Self {
+            points,
+            jitter,
+            across,
+            along,
+            half_aperture: 0.5 * blur.aperture,
+            scale: blur.focal_distance / camera.direction.length(),
+            quantiles,
+        }
     }
 }
 

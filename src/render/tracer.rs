@@ -61,7 +61,7 @@ impl<'w> Tracer<'w> {
             side_by_side: one_ray_a_position(world) && (world.side_by_side.contains(&true) || sky_side_by_side),
             sky_side_by_side,
             camera_interiors: None,
-            lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(blur))),
+            lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(&world.camera, blur))),
         };
         let moving = matches!(
             world.camera.projection,
