@@ -1,8 +1,8 @@
 //! Camera rays that are neighbours in the picture.
 //!
-//! Most neighbours meet the same texture, at points so near each other that patterns are evaluated for all of them at
-//! once, one in each SIMD lane. Four rays are followed to what they meet; then they are shaded one by one as ever, but
-//! the colours of pigments come for all four together, when the first of them asks. No bit changes by it.
+//! Most neighbours meet the same texture, or the sky, at points so near each other that patterns are evaluated for all of
+//! them at once, one in each SIMD lane. Four rays are followed to what they meet; then they are shaded one by one as ever,
+//! but the colours of pigments come for all four together, when the first of them asks. No bit changes by it.
 
 use super::camera::RawRay;
 use super::gather::Gather;
@@ -134,10 +134,12 @@ impl<'w> Tracer<'w> {
         self.follow_all(others, Some(&Sight { before, position: *position, path: &path, met }), found);
     }
 
+    /// Adds the light through image positions, one by one.
     fn follow_each<G: Gather>(&mut self, positions: &[[f64; 2]], found: &mut Vec<G>) {
         positions.iter().for_each(|[x, y]| found.push(self.camera_ray(*x, *y)));
     }
 
+    /// Adds the light of fewer than four sights, or of such as have nothing in common.
     fn shade_each<G: Gather>(&mut self, last: Option<&Sight<'_, 'w>>, found: &mut Vec<G>) {
         if let Some(last) = last {
             self.shade_each(last.before, found);
@@ -145,6 +147,7 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    /// The light of a sight.
     fn shade_sight<G: Gather>(&mut self, sight: &Sight<'_, 'w>, neighbour: Option<Neighbour<'_>>) -> G {
         let [x, y] = sight.position;
         self.start_at(x, y);
@@ -156,6 +159,7 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    /// Adds the light of four sights of one texture or of the sky.
     fn shade_four<G: Gather>(&mut self, last: Option<&Sight<'_, 'w>>, found: &mut Vec<G>) {
         let [Some(d), Some(c), Some(b), Some(a)] = before(last) else { return self.shade_each(last, found) };
         let four = [a, b, c, d];
@@ -177,6 +181,7 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    /// Adds the light of four sights of the sky.
     fn shade_skies<G: Gather>(&mut self, four: [&Sight<'_, 'w>; LANES], found: &mut Vec<G>) {
         let Some(sky) = &self.world.atmosphere.sky else { return };
         let points = Points::from(each_lane(|i| sky.sky_from_world.point(four[i].path.ray.direction)));
