@@ -5,6 +5,7 @@
 //!
 //! Source: Moore, Kearfott, Cloud, Introduction to Interval Analysis, 2009, chapters 2 and 5.
 
+use crate::math::lesser;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -240,12 +241,6 @@ impl Interval {
     }
 }
 
-/// The smaller of two numbers, neither of them NaN.
-#[inline]
-fn least(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
-}
-
 impl Neg for Interval {
     type Output = Self;
     #[inline]
@@ -279,7 +274,7 @@ impl Mul for Interval {
         }
         // Finite numbers: no product is NaN, and comparisons may choose freely.
         let [a, b, c, d] = [self.low * o.low, self.low * o.high, self.high * o.low, self.high * o.high];
-        let (low, high) = (least(least(a, b), least(c, d)), -least(least(-a, -b), least(-c, -d)));
+        let (low, high) = (lesser(lesser(a, b), lesser(c, d)), -lesser(lesser(-a, -b), lesser(-c, -d)));
         Self::rounded(low, high, ROUNDING)
     }
 }

@@ -5,7 +5,7 @@
 //! (measured).
 
 use super::pavement_table::{HEXAGON_PAVEMENTS, PavementMap, SQUARE_PAVEMENTS, TRIANGLE_PAVEMENTS};
-use crate::math::{DVec3, floor_small};
+use crate::math::{DVec3, floor_small, lesser};
 use square::SquareCell;
 use triangle::TriangleCell;
 
@@ -112,13 +112,7 @@ static FAR: [[f64; 4]; 16] = {
 fn least(bits: u8, distances: [f64; 4]) -> f64 {
     let far = &FAR[usize::from(bits) % FAR.len()];
     let [a, b, c, d] = [0, 1, 2, 3].map(|i| distances[i] + far[i]);
-    less(less(a, b), less(c, d))
-}
-
-/// The smaller number in one instruction.
-#[inline(always)]
-fn less(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
+    lesser(lesser(a, b), lesser(c, d))
 }
 
 impl PavementMap {

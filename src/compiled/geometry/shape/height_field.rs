@@ -7,7 +7,7 @@
 
 use super::triangle::{TriangleRay, corner_error, locate, surrounds};
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Transform, gamma};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Transform, gamma, greater, lesser};
 use glam::Vec3;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
@@ -35,25 +35,22 @@ pub(crate) struct HeightGrid {
 #[derive(Debug)]
 struct Level {
     width: usize,
+    depth: usize,
     /// Lowest and highest, by row of z, then x.
     ranges: Vec<[u16; 2]>,
 }
 
 impl Level {
-    fn depth(&self) -> usize {
-        self.ranges.len() / self.width
-    }
-
     /// Two by two squares become one.
     fn halved(&self) -> Self {
-        let (width, depth) = (self.width.div_ceil(2), self.depth().div_ceil(2));
+        let (width, depth) = (self.width.div_ceil(2), self.depth.div_ceil(2));
         let range = |n: usize| {
             let (i, k) = (n % width * 2, n / width * 2);
             let four = [(i, k), (i + 1, k), (i, k + 1), (i + 1, k + 1)];
-            let inside = four.iter().filter(|(i, k)| *i < self.width && *k < self.depth());
+            let inside = four.iter().filter(|(i, k)| *i < self.width && *k < self.depth);
             inside.map(|(i, k)| self.ranges[k * self.width + i]).fold([u16::MAX, 0], around)
         };
-        Self { width, ranges: (0..width * depth).map(range).collect() }
+        Self { width, depth, ranges: (0..width * depth).map(range).collect() }
     }
 }
 
@@ -84,7 +81,8 @@ impl HeightGrid {
             let four = [first, first + 1, first + width, first + width + 1];
             four.into_iter().map(|i| [heights[i]; 2]).fold([u16::MAX, 0], around)
         };
-        let mut pyramid = vec![Level { width: width - 1, ranges: (0..(width - 1) * (depth - 1)).map(cell).collect() }];
+        let (across, deep) = (width - 1, depth - 1);
+        let mut pyramid = vec![Level { width: across, depth: deep, ranges: (0..across * deep).map(cell).collect() }];
         while let Some(level) = pyramid.last().filter(|level| level.ranges.len() > 1) {
             pyramid.push(level.halved());
         }
@@ -122,20 +120,22 @@ impl HeightGrid {
         let inverse = DVec3::from(d.to_array().map(|d| (1.0 / d).abs().min(STEEPEST).copysign(d)));
         let near_child = [usize::from(d.x < 0.0), usize::from(d.z < 0.0)];
         let mut t_max = range.max;
-        let mut waiting: SmallVec<[(u8, u32, u32); 64]> = SmallVec::new();
-        waiting.push((self.pyramid.len() as u8 - 1, 0, 0));
-        while let Some((n, i, k)) = waiting.pop() {
-            let (level, i, k) = (&self.pyramid[usize::from(n)], i as usize, k as usize);
-            let [low, high] = level.ranges[k * level.width + i].map(f64::from);
-            let corner = DVec3::new((i << n) as f64, low, (k << n) as f64) - pad;
-            let opposite = DVec3::new(((i + 1) << n) as f64, high, ((k + 1) << n) as f64) + pad;
-            let (a, b) = ((corner - o) * inverse, (opposite - o) * inverse);
-            let (enter, leave) = (a.min(b).max_element(), a.max(b).min_element());
-            if enter.max(range.min) > leave.min(t_max) || high < floor {
+        // When the ray is between two planes, by the axis to which they are perpendicular.
+        let between = |axis: usize, low: f64, high: f64| {
+            let (a, b) = ((low - pad - o[axis]) * inverse[axis], (high + pad - o[axis]) * inverse[axis]);
+            Range { min: lesser(a, b), max: greater(a, b) }
+        };
+        // Squares with the parameter at which the ray enters their boxes; that of all is asked for by whoever holds
+        // the field.
+        let mut waiting: SmallVec<[(f64, u8, u32, u32); 64]> = SmallVec::new();
+        waiting.push((range.min, self.pyramid.len() as u8 - 1, 0, 0));
+        while let Some((enter, n, i, k)) = waiting.pop() {
+            if enter > t_max {
                 continue;
             }
+            let (i, k) = (i as usize, k as usize);
             if n == 0 {
-                let number = k * level.width + i;
+                let number = k * self.pyramid[0].width + i;
                 let cell = self.cell(number);
                 let flat = cell.each_ref().map(|corner| prepared.flat(corner));
                 for (face, corners) in (2 * number..).zip(FACES) {
@@ -151,11 +151,24 @@ impl HeightGrid {
                 continue;
             }
             let below = &self.pyramid[usize::from(n) - 1];
+            let side = |axis: usize, at: usize| {
+                let [a, b, c] = [2 * at, 2 * at + 1, 2 * at + 2].map(|at| (at << (n - 1)) as f64);
+                [between(axis, a, b), between(axis, b, c)]
+            };
+            let (sides_x, sides_z) = (side(0, i), side(2, k));
             // The farthest first, so that the nearest comes off first.
             for (x, z) in [(1, 1), (0, 1), (1, 0), (0, 0)] {
-                let (i, k) = (2 * i + (x ^ near_child[0]), 2 * k + (z ^ near_child[1]));
-                if i < below.width && k < below.depth() {
-                    waiting.push((n - 1, i as u32, k as u32));
+                let (x, z) = (x ^ near_child[0], z ^ near_child[1]);
+                let (i, k) = (2 * i + x, 2 * k + z);
+                if i >= below.width || k >= below.depth {
+                    continue;
+                }
+                let [low, high] = below.ranges[k * below.width + i].map(f64::from);
+                let (across, up, deep) = (sides_x[x], between(1, low, high), sides_z[z]);
+                let enter = greater(greater(across.min, deep.min), greater(up.min, range.min));
+                let leave = lesser(lesser(across.max, deep.max), lesser(up.max, t_max));
+                if enter <= leave && high >= floor {
+                    waiting.push((enter, n - 1, i as u32, k as u32));
                 }
             }
         }

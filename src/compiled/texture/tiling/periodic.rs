@@ -5,7 +5,7 @@
 //! looked at four at a time, without a branch.
 
 use super::{Tile, Uneven};
-use crate::math::{DVec2, floor_small};
+use crate::math::{DVec2, floor_small, lesser};
 use std::collections::HashMap;
 
 /// Patches along each side of the cell, a power of two. Each lies around a knot; those of the first knots lie half on
@@ -151,7 +151,7 @@ impl SideList {
     fn fall(&self, i: f64, j: f64) -> f64 {
         let fall = self.first_sides.fall(i, j);
         let Some(more) = &self.more else { return fall };
-        more.sides.iter().fold(fall, |fall, sides| less(fall, sides.fall(i, j)))
+        more.sides.iter().fold(fall, |fall, sides| lesser(fall, sides.fall(i, j)))
     }
 }
 
@@ -160,12 +160,6 @@ impl Sides {
     fn fall(&self, i: f64, j: f64) -> f64 {
         let Self { offset, along: [a, b] } = self;
         let from = |side: usize| a[side] * i + b[side] * j + offset[side];
-        less(less(from(0), from(2)), less(from(1), from(3)))
+        lesser(lesser(from(0), from(2)), lesser(from(1), from(3)))
     }
-}
-
-/// The smaller number in one instruction.
-#[inline(always)]
-fn less(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
 }
