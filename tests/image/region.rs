@@ -34,6 +34,28 @@ fn parts_are_those_of_the_whole_through_a_lens() {
     ways().into_iter().for_each(|way| check(&format!("{SCENE}{LENS}"), way));
 }
 
+/// Noise wherever neighbouring rays share it: layers, maps and averages of pigments, by points and by surface
+/// coordinates, a sky; and patterns that keep it from being shared.
+const NOISY: &str = "
+camera { location <0, 2, -6> look_at <0, 0.5, 0> angle 45 right x*4/3 }
+light_source { <-5, 7, -6> rgb 1 }
+sky_sphere { pigment { gradient y pigment_map {
+  [0 rgb .8] [.3 bozo turbulence .6 color_map { [0 rgb .4] [1 rgb 1] } scale .2] [1 rgb <.2,.3,.6>] } } }
+#declare Veins = texture { pigment { granite color_map { [0 rgbt <1,1,1,.9>] [1 rgbt <.3,.2,.1,.2>] } scale .8 } }
+plane { y, -0.8 texture { pigment { wood turbulence .3 color_map { [0 rgb .4] [1 rgb <.8,.6,.3>] } rotate x*20 } }
+  texture { Veins } }
+sphere { -1.6*x, 0.9 pigment { average pigment_map { [1 agate scale .4] [2 wrinkles] [1 marble turbulence .4] } } }
+sphere { 1.6*x, 0.9 uv_mapping pigment { spotted scale .1 warp { turbulence .2 } } normal { dents .5 scale .2 } }
+box { -0.6, 0.6 texture { bozo texture_map { [.4 pigment { leopard }] [.6 Veins] } scale .3 } rotate y*30 }
+sphere { <0, 1.6, 0>, 0.5 pigment { slope y turbulence .2 } normal { granite .3 } finish { reflection .3 } }
+";
+
+#[test]
+fn neighbours_share_work_and_no_bits() {
+    // Where parts begin and end, other rays are neighbours, or there are none.
+    ways().into_iter().for_each(|way| check(NOISY, way));
+}
+
 #[test]
 fn regions_end_with_the_picture() {
     let region = Some(Region { left: 70, top: 40, right: 90, bottom: 60 });
