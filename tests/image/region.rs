@@ -8,8 +8,16 @@ fn check(scene: &str, antialias: Option<Antialias>) {
     let world = world(scene);
     let options = small(antialias);
     let whole = picture(&world, &options);
-    let parts =
-        [([0, 0, 75, 50], 3), ([3, 5, 20, 9], 1), ([30, 31, 34, 33], 1), ([40, 2, 45, 50], 3), ([74, 49, 75, 50], 2)];
+    let parts = [
+        ([0, 0, 75, 50], 3),
+        ([3, 5, 20, 9], 1),
+        ([30, 31, 34, 33], 1),
+        ([40, 2, 45, 50], 3),
+        ([74, 49, 75, 50], 2),
+        // No pixel has neighbours here.
+        ([0, 24, 75, 25], 2),
+        ([17, 0, 18, 50], 1),
+    ];
     for ([left, top, right, bottom], threads) in parts {
         let region = Some(Region { left, top, right, bottom });
         let part = picture(&world, &Options { region, threads, ..options.clone() });
