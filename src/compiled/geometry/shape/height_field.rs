@@ -58,6 +58,102 @@ fn around(a: [u16; 2], b: [u16; 2]) -> [u16; 2] {
     [a[0].min(b[0]), a[1].max(b[1])]
 }
 
+/// Squares that a ray has yet to go through: the parameter at which it enters their boxes, their level and their place
+/// there. The next one is the last.
+type Waiting = SmallVec<[(f64, u8, u32, u32); 64]>;
+
+/// A ray on its way down the pyramid of a grid.
+struct Descent<'g> {
+    grid: &'g HeightGrid,
+    origin: DVec3,
+    direction: DVec3,
+    /// Reciprocals of the direction.
+    inverse: DVec3,
+    /// What boxes are wider by.
+    pad: f64,
+    /// Along x and z, which of two neighbours the ray meets first.
+    near: [usize; 2],
+    prepared: TriangleRay,
+    /// Crossings lie beyond.
+    t_min: f64,
+    floor: f64,
+}
+
+impl<'g> Descent<'g> {
+    fn new(grid: &'g HeightGrid, ray: &Ray, t_min: f64) -> Self {
+        let (origin, direction) = (ray.origin, ray.direction);
+        let size = DVec3::new(grid.width as f64, grid.highest, grid.depth as f64);
+        Self {
+            grid,
+            origin,
+            direction,
+            inverse: DVec3::from(direction.to_array().map(|d| (1.0 / d).abs().min(STEEPEST).copysign(d))),
+            // Triangles round products of coordinates this large: boxes have to be wider than that.
+            pad: gamma(64) * origin.abs().max(size).max_element(),
+            near: [usize::from(direction.x < 0.0), usize::from(direction.z < 0.0)],
+            prepared: TriangleRay::new(ray),
+            t_min,
+            floor: grid.floor(),
+        }
+    }
+
+    /// When the ray is between two planes perpendicular to an axis.
+    #[inline(always)]
+    fn between(&self, axis: usize, low: f64, high: f64) -> Range {
+        let at = |plane: f64| (plane - self.origin[axis]) * self.inverse[axis];
+        let (a, b) = (at(low - self.pad), at(high + self.pad));
+        Range { min: lesser(a, b), max: greater(a, b) }
+    }
+
+    /// Adds the quarters of a square that the ray meets, the farthest first.
+    #[inline(always)]
+    fn quarters(&self, n: u8, i: usize, k: usize, t_max: f64, waiting: &mut Waiting) {
+        let below = &self.grid.pyramid[usize::from(n) - 1];
+        let halves = |axis: usize, at: usize| {
+            let [a, b, c] = [2 * at, 2 * at + 1, 2 * at + 2].map(|at| (at << (n - 1)) as f64);
+            [self.between(axis, a, b), self.between(axis, b, c)]
+        };
+        let (halves_x, halves_z) = (halves(0, i), halves(2, k));
+        for (x, z) in [(1, 1), (0, 1), (1, 0), (0, 0)] {
+            let (x, z) = (x ^ self.near[0], z ^ self.near[1]);
+            let (i, k) = (2 * i + x, 2 * k + z);
+            if i >= below.width || k >= below.depth {
+                continue;
+            }
+            let [low, high] = below.ranges[k * below.width + i].map(f64::from);
+            let (across, up, deep) = (halves_x[x], self.between(1, low, high), halves_z[z]);
+            let enter = greater(greater(across.min, deep.min), greater(up.min, self.t_min));
+            let leave = lesser(lesser(across.max, deep.max), lesser(up.max, t_max));
+            if enter <= leave && high >= self.floor {
+                waiting.push((enter, n - 1, i as u32, k as u32));
+            }
+        }
+    }
+
+    /// Crossings with the two faces of a cell.
+    #[inline(always)]
+    fn faces(
+        &self,
+        number: usize,
+        t_max: &mut f64,
+        found: &mut impl FnMut(f64, usize, &mut f64) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let cell = self.grid.cell(number);
+        let flat = cell.each_ref().map(|corner| self.prepared.flat(corner));
+        for (face, corners) in (2 * number..).zip(FACES) {
+            if surrounds(corners.map(|corner| flat[corner]))
+                && let Some(t) = self.prepared.reach(corners.map(|corner| &cell[corner]))
+                && self.t_min < t
+                && t < *t_max
+                && self.origin.y + t * self.direction.y >= self.floor
+            {
+                found(t, face, t_max)?;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
+
 /// A height field with the linear part of its place, in which normals are interpolated.
 #[derive(Clone, Debug)]
 pub(crate) struct HeightField {
@@ -112,22 +208,9 @@ impl HeightGrid {
         range: Range,
         mut found: impl FnMut(f64, usize, &mut f64) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        let prepared = TriangleRay::new(ray);
-        let (o, d, floor) = (ray.origin, ray.direction, self.floor());
-        let size = DVec3::new(self.width as f64, self.highest, self.depth as f64);
-        // Triangles round products of coordinates this large: boxes have to be wider than that.
-        let pad = gamma(64) * o.abs().max(size).max_element();
-        let inverse = DVec3::from(d.to_array().map(|d| (1.0 / d).abs().min(STEEPEST).copysign(d)));
-        let near_child = [usize::from(d.x < 0.0), usize::from(d.z < 0.0)];
+        let descent = Descent::new(self, ray, range.min);
         let mut t_max = range.max;
-        // When the ray is between two planes, by the axis to which they are perpendicular.
-        let between = |axis: usize, low: f64, high: f64| {
-            let (a, b) = ((low - pad - o[axis]) * inverse[axis], (high + pad - o[axis]) * inverse[axis]);
-            Range { min: lesser(a, b), max: greater(a, b) }
-        };
-        // Squares with the parameter at which the ray enters their boxes; that of all is asked for by whoever holds
-        // the field.
-        let mut waiting: SmallVec<[(f64, u8, u32, u32); 64]> = SmallVec::new();
+        let mut waiting: Waiting = SmallVec::new();
         waiting.push((range.min, self.pyramid.len() as u8 - 1, 0, 0));
         while let Some((enter, n, i, k)) = waiting.pop() {
             if enter > t_max {
@@ -135,41 +218,9 @@ impl HeightGrid {
             }
             let (i, k) = (i as usize, k as usize);
             if n == 0 {
-                let number = k * self.pyramid[0].width + i;
-                let cell = self.cell(number);
-                let flat = cell.each_ref().map(|corner| prepared.flat(corner));
-                for (face, corners) in (2 * number..).zip(FACES) {
-                    if surrounds(corners.map(|corner| flat[corner]))
-                        && let Some(t) = prepared.reach(corners.map(|corner| &cell[corner]))
-                        && range.min < t
-                        && t < t_max
-                        && o.y + t * d.y >= floor
-                    {
-                        found(t, face, &mut t_max)?;
-                    }
-                }
-                continue;
-            }
-            let below = &self.pyramid[usize::from(n) - 1];
-            let side = |axis: usize, at: usize| {
-                let [a, b, c] = [2 * at, 2 * at + 1, 2 * at + 2].map(|at| (at << (n - 1)) as f64);
-                [between(axis, a, b), between(axis, b, c)]
-            };
-            let (sides_x, sides_z) = (side(0, i), side(2, k));
-            // The farthest first, so that the nearest comes off first.
-            for (x, z) in [(1, 1), (0, 1), (1, 0), (0, 0)] {
-                let (x, z) = (x ^ near_child[0], z ^ near_child[1]);
-                let (i, k) = (2 * i + x, 2 * k + z);
-                if i >= below.width || k >= below.depth {
-                    continue;
-                }
-                let [low, high] = below.ranges[k * below.width + i].map(f64::from);
-                let (across, up, deep) = (sides_x[x], between(1, low, high), sides_z[z]);
-                let enter = greater(greater(across.min, deep.min), greater(up.min, range.min));
-                let leave = lesser(lesser(across.max, deep.max), lesser(up.max, t_max));
-                if enter <= leave && high >= floor {
-                    waiting.push((enter, n - 1, i as u32, k as u32));
-                }
+                descent.faces(k * self.pyramid[0].width + i, &mut t_max, &mut found)?;
+            } else {
+                descent.quarters(n, i, k, t_max, &mut waiting);
             }
         }
         ControlFlow::Continue(())
