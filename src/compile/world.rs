@@ -55,7 +55,6 @@ pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
     let world = World {
         geometry,
         opaque: textures.iter().map(crate::compiled::texture::Texture::is_opaque).collect(),
-        side_by_side: textures.iter().map(crate::compiled::texture::Texture::is_side_by_side).collect(),
         textures,
         interiors: compiled_interiors(&interiors),
         lights,

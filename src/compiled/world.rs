@@ -19,8 +19,6 @@ pub struct World {
     pub textures: Vec<Texture>,
     /// By texture: whether no light comes through anywhere.
     pub opaque: Vec<bool>,
-    /// By texture: whether it pays to find the colours of neighbours at once.
-    pub side_by_side: Vec<bool>,
     /// By [`InteriorId`].
     pub interiors: Vec<Arc<Interior>>,
     /// Lights of the whole scene, in file order, then those of groups.

@@ -181,7 +181,7 @@ impl Cell {
         let y = f64x4(lower[1], lower[1], upper[1], upper[1]);
         let mut sum = 0.0;
         for (k, z) in [lower[2], upper[2]].into_iter().enumerate() {
-            let row = |i: usize| table_row(&NOISE_TABLE, self.rows[4 * k + i]);
+            let row = |i: usize| table_row(&NOISE_TABLE, self.rows[4 * k + i], 0);
             let columns = simd.columns([row(0), row(1), row(2), row(3)]);
             let slopes = slopes(simd, &columns, [x, y, simd.splat_f64s(z)]);
             let f64x4(a, b, c, d) = simd.mul_f64s(slopes, cast(self.weights[k]));
@@ -198,7 +198,7 @@ impl Cell {
         for k in 0..8 {
             let [x, y, z] = [self.distances[k & 1][0], self.distances[k >> 1 & 1][1], self.distances[k >> 2][2]];
             let distances = [simd.splat_f64s(x), simd.splat_f64s(y), simd.splat_f64s(z)];
-            let slopes = slopes(simd, table_row(&COLUMNS.0, self.rows[k]), distances);
+            let slopes = slopes(simd, table_row(&COLUMNS.0, self.rows[k], 0), distances);
             sum = simd.add_f64s(sum, simd.mul_f64s(slopes, simd.splat_f64s(self.weights[k >> 2][k & 3])));
         }
         sum
@@ -234,12 +234,12 @@ pub(super) fn slopes<S: Lanes>(simd: S, entries: &[f64x4; 4], [x, y, z]: [f64x4;
     simd.add_f64s(slopes, simd.mul_f64s(entries[3], z))
 }
 
-/// The four entries of a row, modulo 256.
+/// The four entries of a row, modulo 256, for a component of the vector noise; those of the first are the noise's.
 #[inline(always)]
-pub(super) fn table_row<T, const N: usize>(table: &[T; N], row: u32) -> &[T; 4] {
+pub(super) fn table_row<T, const N: usize>(table: &[T; N], row: u32, component: usize) -> &[T; 4] {
     const { assert!(N >= 256 + 3) };
-    let row = row as usize % 256;
-    table[row..].first_chunk().expect("the table goes on after its last row")
+    let first = row as usize % 256 + 4 * component;
+    table[first..].first_chunk().expect("the table goes on after its last row")
 }
 
 /// Aligned as cache lines, so that no entry lies in two.

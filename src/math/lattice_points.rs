@@ -5,7 +5,7 @@
 //! the same.
 
 use super::lanes::{Lanes, Work, dispatch};
-use super::lattice::{Cell, Scaling, Sides, rows, slopes};
+use super::lattice::{Cell, Scaling, Sides, rows, slopes, table_row};
 use super::noise_table::NOISE_TABLE;
 use super::{DVec3, LANES, Points};
 use bytemuck::cast;
@@ -183,7 +183,7 @@ impl Cells {
                 simd,
                 zero,
                 #[inline(always)]
-                |sum, corner| corner.add(simd, sum, &everywhere(simd, entries(rows[corner.index], 0))),
+                |sum, corner| corner.add(simd, sum, &everywhere(simd, table_row(&NOISE_TABLE, rows[corner.index], 0))),
             ),
             Rows::Each([a, b, c, d]) => self.fold(
                 simd,
@@ -191,7 +191,12 @@ impl Cells {
                 #[inline(always)]
                 |sum, corner| {
                     let row = [a[corner.index], b[corner.index], c[corner.index], d[corner.index]];
-                    let rows = [entries(row[0], 0), entries(row[1], 0), entries(row[2], 0), entries(row[3], 0)];
+                    let rows = [
+                        table_row(&NOISE_TABLE, row[0], 0),
+                        table_row(&NOISE_TABLE, row[1], 0),
+                        table_row(&NOISE_TABLE, row[2], 0),
+                        table_row(&NOISE_TABLE, row[3], 0),
+                    ];
                     corner.add(simd, sum, &simd.columns(rows))
                 },
             ),
@@ -209,9 +214,9 @@ impl Cells {
             |[x, y, z], corner| {
                 let row = rows[corner.index];
                 [
-                    corner.add(simd, x, &everywhere(simd, entries(row, 0))),
-                    corner.add(simd, y, &everywhere(simd, entries(row, 1))),
-                    corner.add(simd, z, &everywhere(simd, entries(row, 2))),
+                    corner.add(simd, x, &everywhere(simd, table_row(&NOISE_TABLE, row, 0))),
+                    corner.add(simd, y, &everywhere(simd, table_row(&NOISE_TABLE, row, 1))),
+                    corner.add(simd, z, &everywhere(simd, table_row(&NOISE_TABLE, row, 2))),
                 ]
             },
         )
@@ -276,13 +281,6 @@ impl Corner {
     fn add<S: Lanes>(&self, simd: S, sum: f64x4, entries: &[f64x4; 4]) -> f64x4 {
         simd.add_f64s(sum, simd.mul_f64s(slopes(simd, entries, self.distances), self.weight))
     }
-}
-
-/// The four entries of a row, modulo 256, for a component of the vector noise; the first one is the noise's.
-#[inline(always)]
-fn entries(row: u32, component: usize) -> &'static [f64; 4] {
-    let first = row as usize % 256 + 4 * component;
-    NOISE_TABLE[first..].first_chunk().expect("the table goes on after its last row")
 }
 
 /// Each entry in all lanes.

@@ -84,22 +84,30 @@ static ORIGINAL: Scaling = Scaling { shift: 0.5, factor: 1.0 };
 /// The two constants make the range of the raw noise fit 0..1.
 static CORRECTED: Scaling = Scaling { shift: 1.05242, factor: 0.48985582 };
 
+/// How the lattice noise is scaled; the third generator is not made of it.
+#[inline(always)]
+fn scaling(generator: NoiseGenerator) -> Option<&'static Scaling> {
+    match generator {
+        NoiseGenerator::Original => Some(&ORIGINAL),
+        NoiseGenerator::Corrected => Some(&CORRECTED),
+        NoiseGenerator::Perlin => None,
+    }
+}
+
 /// Noise at a point, in 0..=1.
 #[inline]
 pub fn noise(generator: NoiseGenerator, p: DVec3) -> f64 {
-    match generator {
-        NoiseGenerator::Original => lattice::noise(&ORIGINAL, p),
-        NoiseGenerator::Corrected => lattice::noise(&CORRECTED, p),
-        NoiseGenerator::Perlin => perlin(p),
+    match scaling(generator) {
+        Some(scaling) => lattice::noise(scaling, p),
+        None => perlin(p),
     }
 }
 
 /// The noise at each of four points.
 pub fn noise_of_points(generator: NoiseGenerator, points: &Points) -> [f64; LANES] {
-    match generator {
-        NoiseGenerator::Original => lattice_points::noises(&ORIGINAL, points),
-        NoiseGenerator::Corrected => lattice_points::noises(&CORRECTED, points),
-        NoiseGenerator::Perlin => points.map(perlin),
+    match scaling(generator) {
+        Some(scaling) => lattice_points::noises(scaling, points),
+        None => points.map(perlin),
     }
 }
 
@@ -265,10 +273,9 @@ pub fn noises_of_points<const COUNT: usize>(
 
 #[inline(always)]
 fn fill(generator: NoiseGenerator, p: DVec3, factor: f64, noises: &mut [f64]) {
-    match generator {
-        NoiseGenerator::Original => lattice_points::noises_of_one(&ORIGINAL, p, factor, noises),
-        NoiseGenerator::Corrected => lattice_points::noises_of_one(&CORRECTED, p, factor, noises),
-        NoiseGenerator::Perlin => {
+    match scaling(generator) {
+        Some(scaling) => lattice_points::noises_of_one(scaling, p, factor, noises),
+        None => {
             noises.iter_mut().zip(frequencies(factor)).for_each(|(noise, frequency)| *noise = perlin(p * frequency));
         }
     }
@@ -276,10 +283,9 @@ fn fill(generator: NoiseGenerator, p: DVec3, factor: f64, noises: &mut [f64]) {
 
 #[inline(always)]
 fn fill_points(generator: NoiseGenerator, points: &Points, factor: f64, noises: &mut [[f64; LANES]]) {
-    match generator {
-        NoiseGenerator::Original => lattice_points::series_noises(&ORIGINAL, points, factor, noises),
-        NoiseGenerator::Corrected => lattice_points::series_noises(&CORRECTED, points, factor, noises),
-        NoiseGenerator::Perlin => {
+    match scaling(generator) {
+        Some(scaling) => lattice_points::series_noises(scaling, points, factor, noises),
+        None => {
             let series = noises.iter_mut().zip(frequencies(factor));
             series.for_each(|(noises, frequency)| *noises = points.map(|p| perlin(p * frequency)));
         }

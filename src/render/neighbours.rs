@@ -102,36 +102,37 @@ impl<'w> Tracer<'w> {
         let world = self.world;
         let [x, y] = *position;
         let raw = RawRay::through(&world.camera, x, y, self.options.width, self.options.height);
-        let Some(raw) = raw else {
-            self.shade_each(before, found);
-            found.push(nothing());
-            return self.follow_each(others, found);
-        };
+        let Some(raw) = raw else { return self.part(before, nothing(), others, found) };
         let path = self.camera_path(raw.finish(&world.camera), f64::INFINITY);
         let Some(hit) = world.geometry.intersect(&path.ray, path.range, path.kind, &mut self.scratch) else {
             if self.sky_side_by_side && before.is_none_or(|before| matches!(before.met, Met::Sky)) {
                 let sight = Sight { before, position: *position, path: &path, met: Met::Sky };
                 return self.follow_all(others, Some(&sight), found);
             }
-            self.shade_each(before, found);
             self.start_at(x, y);
-            found.push(self.seen(&path, None, None));
-            return self.follow_each(others, found);
+            let light = self.seen(&path, None, None);
+            return self.part(before, light, others, found);
         };
         let surface = world.geometry.surface(&path.ray, &hit);
         let only = match &*surface.textures {
-            [only] => Some(only).filter(|only| world.side_by_side[only.texture.0 as usize]),
+            [only] => Some(only).filter(|only| world.texture(only.texture).is_side_by_side()),
             _ => None,
         };
         let Some(only) = only.filter(|only| before.is_none_or(|before| before.shows(only.texture))) else {
-            self.shade_each(before, found);
             self.start_at(x, y);
-            found.push(self.seen(&path, Some((&hit, &surface)), None));
-            return self.follow_each(others, found);
+            let light = self.seen(&path, Some((&hit, &surface)), None);
+            return self.part(before, light, others, found);
         };
         let space = texture_space(world, &surface, &hit, only);
         let met = Met::Surface { hit: &hit, surface: &surface, texture: only.texture, space: &space };
         self.follow_all(others, Some(&Sight { before, position: *position, path: &path, met }), found);
+    }
+
+    /// Goes on one by one from a ray that has nothing in common with those before, and brought back some light.
+    fn part<G: Gather>(&mut self, before: Option<&Sight<'_, 'w>>, light: G, others: &[[f64; 2]], found: &mut Vec<G>) {
+        self.shade_each(before, found);
+        found.push(light);
+        self.follow_each(others, found);
     }
 
     /// Adds the light through image positions, one by one.

@@ -13,7 +13,7 @@ use crate::compiled::World;
 use crate::compiled::atmosphere::Sky;
 use crate::compiled::camera::Projection;
 use crate::compiled::geometry::{Hit, RayKind, Scratch, Surface, TextureRef};
-use crate::compiled::texture::{Context, Frame};
+use crate::compiled::texture::{Context, Frame, Texture};
 use crate::math::{DVec3, Range, Ray, Transform};
 use std::borrow::Cow;
 use std::rc::Rc;
@@ -58,7 +58,8 @@ impl<'w> Tracer<'w> {
             statistics: Statistics::default(),
             all_opaque: world.all_opaque(),
             interiors_matter: world.interiors_matter(),
-            side_by_side: one_ray_a_position(world) && (world.side_by_side.contains(&true) || sky_side_by_side),
+            side_by_side: one_ray_a_position(world)
+                && (sky_side_by_side || world.textures.iter().any(Texture::is_side_by_side)),
             sky_side_by_side,
             camera_interiors: None,
             lens: world.camera.blur.as_ref().map(|blur| Rc::new(Lens::new(&world.camera, blur))),

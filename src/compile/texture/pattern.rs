@@ -55,8 +55,7 @@ impl TextureCompiler<'_> {
             S::Boxed => PatternKind::Boxed,
             S::Bozo | S::Spotted => PatternKind::Bozo(generator),
             S::Bumps => PatternKind::Bumps(generator),
-            // POV-Ray takes twice its border offset off the mortar.
-            S::Brick { size, mortar } => PatternKind::brick(*size, f64::from((f64::from(*mortar) - 2e-10) as f32)),
+            S::Brick { size, mortar } => PatternKind::brick(*size, *mortar),
             S::Cells => PatternKind::Cells,
             S::Checker => PatternKind::Checker,
             S::Crackle { form, metric, offset, solid } => PatternKind::Crackle(Box::new(Crackle {

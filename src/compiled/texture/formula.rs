@@ -8,7 +8,7 @@ use crate::math::{DVec3, LANES, Points, Uv, floor, fraction, modulo, round};
 use std::f64::consts::{PI, TAU};
 
 /// POV-Ray's offset that keeps exact borders on the upper cell.
-const CELL_OFFSET: f64 = 1e-10;
+pub(super) const CELL_OFFSET: f64 = 1e-10;
 /// Height of a triangle of side 1.
 const TRIANGLE_HEIGHT: f64 = 0.866_025_403_784_438_6;
 
@@ -241,7 +241,7 @@ mod tests {
         let checker =
             [([0.5; 3], 0.0), ([-0.5, 0.5, 0.5], 1.0), ([edge, 0.5, 0.5], 1.0), ([1.0 - 1e-9, 0.5, 0.5], 0.0)];
         check(PatternKind::Checker, &checker);
-        let brick = PatternKind::brick(DVec3::new(8.0, 3.0, 4.5), f64::from((0.5 - 2e-10) as f32));
+        let brick = PatternKind::brick(DVec3::new(8.0, 3.0, 4.5), 0.5);
         let bricks = [
             ([-0.5, 0.1, 0.1], 0.0),
             ([0.0, -0.5, 0.0], 0.0),

@@ -133,7 +133,9 @@ impl Context {
 
 impl PatternKind {
     /// Bricks of a size that includes the mortar's width, which fills a brick up to its share of it.
-    pub fn brick(size: DVec3, mortar: f64) -> Self {
+    pub fn brick(size: DVec3, mortar: f32) -> Self {
+        // POV-Ray takes twice its border offset off the mortar, in single precision.
+        let mortar = f64::from((f64::from(mortar) - 2.0 * formula::CELL_OFFSET) as f32);
         Self::Brick { size, mortar, limit: DVec3::splat(mortar) / size }
     }
 
@@ -339,8 +341,7 @@ mod tests {
         check(&Pattern::of(PatternKind::Radial), [0.2110004348, 0.7889895652, 0.4465084422]);
         let gradient = DVec3::new(1.0, 2.0, 3.0).normalize();
         check(&Pattern::of(PatternKind::Gradient(gradient)), [0.4922036404, 0.3006688972, 0.0343972373]);
-        let mortar = f64::from((0.5 - 2e-10) as f32);
-        let brick = PatternKind::brick(DVec3::new(8.0, 3.0, 4.5), mortar);
+        let brick = PatternKind::brick(DVec3::new(8.0, 3.0, 4.5), 0.5);
         check(&Pattern { frequency: 0.0, ..Pattern::of(brick) }, [1.0, 0.0, 1.0]);
     }
 }

@@ -3,6 +3,7 @@
 //! Every step decides by a line which smaller tile holds the point, and enlarges that tile to
 //! the old size. Source: the tables of section 9 of the pattern facts (measured).
 
+use super::tiling::POV_EDGE;
 use crate::math::DVec2;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -238,6 +239,6 @@ impl Pentagon {
         p.y = p.y.abs();
         let (kind, m) = self.tile(state, p);
         let rise = (1.0 - 5.55 * m / PHI).max(0.0);
-        ((kind + rise) / 6.0).clamp(kind / 6.0 + 1e-6, (kind + 1.0) / 6.0 - 1e-6)
+        ((kind + rise) / 6.0).clamp(kind / 6.0 + POV_EDGE, (kind + 1.0) / 6.0 - POV_EDGE)
     }
 }

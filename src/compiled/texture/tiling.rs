@@ -10,6 +10,9 @@ pub use periodic::Periodic;
 
 mod periodic;
 
+/// By how much POV-Ray keeps values of some tiles apart from those of other kinds.
+pub(super) const POV_EDGE: f64 = 1e-6;
+
 /// Height of a triangle of side 1.
 const H: f64 = 0.866_025_403_784_438_6;
 /// sqrt(3)
@@ -233,7 +236,7 @@ fn tiles_of(n: u32) -> (f64, f64, [DVec2; 2], Vec<Tile>) {
         11 => (3.0, 0.5, [v(3.0, 0.0), v(0.0, 3.0)], pinwheel()),
         12 => (3.0, 0.5, [v(6.0, 0.0), v(0.0, 6.0)], pinwheel().iter().flat_map(reflections).collect()),
         13 => (3.0, 0.5 / r2, [v(2.0 * r2, 0.0), v(0.0, 2.0 * r2)], frames([2, 2, 1, 1, 0], 0.0)),
-        14 => (5.0, 0.5 / r2, [v(2.0 * r2, 0.0), v(0.0, 2.0 * r2)], frames([0, 1, 2, 3, 4], 1e-6)),
+        14 => (5.0, 0.5 / r2, [v(2.0 * r2, 0.0), v(0.0, 2.0 * r2)], frames([0, 1, 2, 3, 4], POV_EDGE)),
         15 => (
             2.0,
             0.5,
@@ -312,7 +315,7 @@ fn hexagon_lattice() -> [DVec2; 2] {
 fn hexagons_in_squares(n: u32) -> Vec<Tile> {
     let colored = n == 17;
     let c = v(0.5 + H, 0.5 + H);
-    let mut tiles = vec![regular(if colored { 5 } else { 2 }, 6, c, 0.0).floor(if colored { 1e-6 } else { 1e-7 })];
+    let mut tiles = vec![regular(if colored { 5 } else { 2 }, 6, c, 0.0).floor(if colored { POV_EDGE } else { 1e-7 })];
     for k in 0..6 {
         let side = 30.0 + 60.0 * f64::from(k);
         let kind = match k {
@@ -321,7 +324,7 @@ fn hexagons_in_squares(n: u32) -> Vec<Tile> {
             2 | 5 => 2, // 150 and -30
             _ => 1,     // 30 and 210
         };
-        let added = if kind > 0 { 1e-6 } else { 0.0 };
+        let added = if kind > 0 { POV_EDGE } else { 0.0 };
         tiles.push(square(kind, c + (H + 0.5) * direction(side), side).added(added));
         let corner = 60.0 * f64::from(k);
         let tip = c + direction(corner);
@@ -337,7 +340,7 @@ fn hexagons_in_squares(n: u32) -> Vec<Tile> {
 
 /// Hexagons cut out of the net of triangles, for tilings 19 and 20.
 fn hexagons_in_triangles(steps: [DVec2; 2], rho: f64) -> (f64, f64, [DVec2; 2], Vec<Tile>) {
-    let hexagon = regular(2, 6, v(1.0, 2.0 * H), 0.0).floor(1e-6);
+    let hexagon = regular(2, 6, v(1.0, 2.0 * H), 0.0).floor(POV_EDGE);
     let holes = copies_around(&hexagon, steps);
     let mut tiles = vec![hexagon];
     for i in -4..=4 {
@@ -367,10 +370,10 @@ fn squares_in_triangles(rho: f64) -> (f64, f64, [DVec2; 2], Vec<Tile>) {
     let mirrored =
         |x: bool, z: bool| first.map(|c| v(if x { q - c.x } else { c.x }, if z { q - c.y } else { c.y })).to_vec();
     let mut tiles = vec![
-        Tile::new(4, mirrored(false, false)).floor(1e-6),
-        Tile::new(5, mirrored(true, false)).floor(1e-6),
-        Tile::new(5, mirrored(false, true)).floor(1e-6),
-        Tile::new(4, mirrored(true, true)).floor(1e-6),
+        Tile::new(4, mirrored(false, false)).floor(POV_EDGE),
+        Tile::new(5, mirrored(true, false)).floor(POV_EDGE),
+        Tile::new(5, mirrored(false, true)).floor(POV_EDGE),
+        Tile::new(4, mirrored(true, true)).floor(POV_EDGE),
     ];
     for c in [DVec2::ZERO, v(q / 2.0, q / 2.0)] {
         let (a, b) = (c + v(0.0, -0.5), c + v(0.0, 0.5));
@@ -388,7 +391,7 @@ fn squares_in_triangles(rho: f64) -> (f64, f64, [DVec2; 2], Vec<Tile>) {
 /// Dodecagons, squares and hexagons, tilings 23 and 24.
 fn dodecagons_and_hexagons(colored: bool) -> (f64, f64, [DVec2; 2], Vec<Tile>) {
     let c = v(1.5 + H, 1.0 + R3);
-    let mut tiles = vec![regular(if colored { 4 } else { 2 }, 12, c, 15.0).added(1e-6)];
+    let mut tiles = vec![regular(if colored { 4 } else { 2 }, 12, c, 15.0).added(POV_EDGE)];
     for k in 0..6 {
         let side = 60.0 * f64::from(k);
         let kind = if colored { 1 + k % 3 } else { 1 };
@@ -449,7 +452,7 @@ mod tests {
             for (i, j) in (-99..99).flat_map(|i| (-99..99).map(move |j| (i, j))) {
                 let found = tiling.value(DVec3::new(0.083 * f64::from(i), 0.0, 0.091 * f64::from(j)));
                 // Values are higher outside of tiles; POV-Ray adds this much, at most.
-                assert!((0.0..1.0 + 1e-6).contains(&found), "tiling {n} at {i}, {j}: {found}");
+                assert!((0.0..1.0 + POV_EDGE).contains(&found), "tiling {n} at {i}, {j}: {found}");
             }
         }
     }
