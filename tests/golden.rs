@@ -8,8 +8,8 @@ use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use whitted::eval::{self, Disk};
 use whitted::imaging::{self, Encoding, Metadata};
-use whitted::pipeline;
-use whitted::render::{Antialias, Method, Options};
+use whitted::job::{Job, Session};
+use whitted::render::{Antialias, Method, Options, Unobserved};
 
 /// What stands in `NAME.toml`.
 #[derive(Deserialize)]
@@ -72,8 +72,9 @@ fn trial(root: &Path, scene: PathBuf) -> Trial {
 fn compare(scene: &Path, recipe: &Recipe, name: &str) -> Result<(), Failed> {
     let reading = eval::Options { include_dirs: vec![INSTALLED.into()], ..eval::Options::default() };
     let host = Disk::new(scene, &reading.include_dirs, &[], |_, _| {});
-    let options = options(recipe)?;
-    let outcome = pipeline::render_file(scene, &reading, &options, &host, &|_| {})
+    let job = Job { scene: scene.to_owned(), reading, rendering: options(recipe)?, outputs: Vec::new() };
+    let outcome = Session::new(0)
+        .render(&job, &host, &Unobserved)
         .map_err(|failed| failed.diagnostics.iter().map(|d| format!("{}\n", d.message)).collect::<String>())?;
     let expected_path = scene.with_extension("exr");
     let expected = imaging::read_exr(&expected_path)?;

@@ -2,7 +2,7 @@
 
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, messages};
-use crate::pipeline::{self, Ready};
+use crate::job::{Ready, Session};
 use std::process::ExitCode;
 
 /// What was typed.
@@ -16,7 +16,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let scene = &arguments.scene;
     let (width, height) = super::render::DEFAULT_SIZE;
-    match pipeline::compile_file(&scene.scene, &scene.reading(width, height), &scene.host()) {
+    match Session::new(0).compile(&scene.scene, &scene.reading(width, height), &scene.host()) {
         Ok(Ready { warnings, sources, .. }) => {
             scene.messages.show(&warnings, &sources);
             let wanted = scene.messages.wanted(&warnings);

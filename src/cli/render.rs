@@ -2,14 +2,13 @@
 
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, fail, messages};
-use crate::imaging::{self, Encoding, FileKind};
-use crate::pipeline::{self, Outcome, Timings};
-use crate::render::{Antialias, ImageLayer, Method, Options, Region};
+use crate::imaging::{Encoding, FileKind};
+use crate::job::{Job, Outcome, Output, Session};
+use crate::render::{Antialias, ImageLayer, Method, Observer, Options, Region};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Instant;
 
 /// The size that an installed POV-Ray's own settings give: 800 x 600.
 pub(super) const DEFAULT_SIZE: (usize, usize) = (800, 600);
@@ -142,7 +141,6 @@ impl Arguments {
             antialias,
             quality: self.quality,
             alpha: self.alpha,
-            threads: self.threads,
             region: self.region,
             layers: self.layers.as_ref().map_or_else(Vec::new, |layers| layers.0.clone()),
         }
@@ -174,8 +172,6 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         }
     }
     let options = arguments.options();
-    // For hierarchies and files; where a pool is there already, it stays.
-    let _ = rayon::ThreadPoolBuilder::new().num_threads(options.threads).build_global();
     let window = options.window();
     if options.region.is_some_and(|region| region != window) {
         return fail(format_args!("--region reaches beyond the picture of {} x {}", options.width, options.height));
@@ -184,12 +180,18 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     if !options.layers.is_empty() && !is_exr(&output) {
         return fail(format_args!("{}: only EXR files have layers", output.display()));
     }
-    let reading = arguments.scene.reading(options.width, options.height);
-    let bar = progress_bar(window.width() * window.height());
-    let advance = |n: usize| bar.inc(n as u64);
-    let result = pipeline::render_file(&arguments.scene.scene, &reading, &options, &arguments.scene.host(), &advance);
-    bar.finish_and_clear();
-    let outcome = match result {
+    let encoding = Encoding { float: arguments.float, sixteen_bit: arguments.sixteen_bit };
+    let job = Job {
+        scene: arguments.scene.scene.clone(),
+        reading: arguments.scene.reading(options.width, options.height),
+        rendering: options,
+        outputs: std::iter::once(output).chain(preview).map(|file| Output { file, encoding }).collect(),
+    };
+    let session = Session::new(arguments.threads);
+    let bar = Bar(progress_bar());
+    let result = session.render(&job, &arguments.scene.host(), &bar);
+    bar.0.finish_and_clear();
+    let mut outcome = match result {
         Ok(outcome) => outcome,
         Err(failed) => {
             arguments.scene.messages.show(&failed.diagnostics, &failed.sources);
@@ -197,45 +199,43 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         }
     };
     arguments.scene.messages.show(&outcome.warnings, &outcome.sources);
-    match write(arguments, &outcome, &output, preview.as_deref()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => fail(error),
+    if let Err(error) = session.write(&mut outcome, &job.outputs) {
+        return fail(error);
     }
-}
-
-fn write(
-    arguments: &Arguments,
-    outcome: &Outcome,
-    output: &Path,
-    preview: Option<&Path>,
-) -> Result<(), imaging::ImageError> {
-    let encoding = Encoding { float: arguments.float, sixteen_bit: arguments.sixteen_bit };
-    let start = Instant::now();
-    for file in std::iter::once(output).chain(preview) {
-        imaging::save(file, &outcome.picture, &outcome.metadata, encoding)?;
-        if file != Path::new("-") && std::io::stderr().is_terminal() {
-            messages::line(format_args!("wrote {}", file.display()));
-        }
+    if std::io::stderr().is_terminal() {
+        let named = job.outputs.iter().filter(|output| output.file != Path::new("-"));
+        named.for_each(|output| messages::line(format_args!("wrote {}", output.file.display())));
     }
     if arguments.timings {
-        let mut timings: Timings = outcome.timings.clone();
-        timings.0.push(("write", start.elapsed()));
-        for (stage, time) in &timings.0 {
-            messages::line(format_args!("{stage:8} {:9.3} s", time.as_secs_f64()));
-        }
-        let rays = outcome.metadata.rays as f64;
-        let rendering: f64 =
-            timings.0.iter().filter(|(stage, _)| *stage == "render").map(|(_, t)| t.as_secs_f64()).sum();
-        messages::line(format_args!("rays     {rays:9.0} ({:.2} million a second)", rays / rendering / 1e6));
+        show_timings(&outcome);
     }
-    Ok(())
+    ExitCode::SUCCESS
+}
+
+fn show_timings(outcome: &Outcome) {
+    for (stage, time) in &outcome.timings.0 {
+        messages::line(format_args!("{stage:8} {:9.3} s", time.as_secs_f64()));
+    }
+    let rays = outcome.metadata.rays as f64;
+    let rate = rays / outcome.timings.of("render").as_secs_f64() / 1e6;
+    messages::line(format_args!("rays     {rays:9.0} ({rate:.2} million a second)"));
+}
+
+/// Shows how a picture comes along.
+struct Bar(ProgressBar);
+
+impl Observer for Bar {
+    fn advanced(&self, done: usize, of: usize) {
+        self.0.set_length(of as u64);
+        self.0.set_position(done as u64);
+    }
 }
 
 /// Drawn only on a terminal.
-fn progress_bar(n_pixels: usize) -> ProgressBar {
+fn progress_bar() -> ProgressBar {
     let target =
         if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-    let bar = ProgressBar::with_draw_target(Some(n_pixels as u64), target);
+    let bar = ProgressBar::with_draw_target(Some(1), target);
     match ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left") {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,

@@ -19,6 +19,13 @@ pub struct Atmosphere {
     pub rainbows: Vec<Rainbow>,
 }
 
+impl Atmosphere {
+    /// Whether a ray passes nothing on its way.
+    pub fn is_clear(&self) -> bool {
+        self.fogs.is_empty() && self.rainbows.is_empty()
+    }
+}
+
 /// `background`, as rays of different kinds see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Background {

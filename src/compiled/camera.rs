@@ -70,6 +70,11 @@ pub struct FocalBlur {
 }
 
 impl Projection {
+    /// Whether all rays start at one place.
+    pub fn has_one_center(&self) -> bool {
+        !matches!(self, Self::Orthographic | Self::Cylinder { kind: 3 | 4, .. } | Self::Mesh(_))
+    }
+
     /// The language's name.
     pub fn name(&self) -> &'static str {
         match self {

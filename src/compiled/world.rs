@@ -121,8 +121,9 @@ impl World {
     /// Whether it makes a difference which objects a ray is in: it bends or fades in one of them, or fog is about.
     pub fn interiors_matter(&self) -> bool {
         let plain = |i: &Arc<Interior>| i.ior == 1.0 && i.dispersion == 1.0 && i.fade.is_none();
-        let clear = self.atmosphere.fogs.is_empty() && self.atmosphere.rainbows.is_empty();
-        !clear || !self.interiors.iter().all(plain) || self.textures.iter().any(Texture::bends_light)
+        !self.atmosphere.is_clear()
+            || !self.interiors.iter().all(plain)
+            || self.textures.iter().any(Texture::bends_light)
     }
 
     /// Whether no light comes through anything, so that shadow rays need no nearest hit.

@@ -2,43 +2,106 @@
 //!
 //! Source: section 3 of the camera facts (measured, sample counts included).
 
-use super::blocks::Block;
-use super::gather::Gather;
+use super::enough::Contrast;
+use super::film::{BLOCK, Block, Gather};
 use super::jitter::jitter;
-use super::ray::Radiance;
-use super::tracer::Tracer;
-use crate::math::Rgb;
+use super::options::{Antialias, Method, Options, Region};
+use super::sensor::at_positions;
+use super::worker::Worker;
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 
-/// How edges are smoothed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Antialias {
-    /// Which of the two ways.
-    pub method: Method,
-    /// Difference of neighbours from which a pixel is refined, 0 to 1.
-    pub threshold: f64,
-    /// Samples along an edge, or levels of subdivision; 1 to 9.
-    pub depth: u32,
-    /// Amount of jitter, 0 to 1.
-    pub jitter: f64,
+/// The samples that are taken in any case: a grid of image positions, one pixel apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Base<'o> {
+    antialias: Option<&'o Antialias>,
+    /// The first position.
+    origin: [f64; 2],
+    columns: usize,
+    rows: usize,
 }
 
-/// The two ways.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Method 1: pixels that differ from a neighbour get a grid of samples.
-    Grid,
-    /// Method 2: pixels whose corners differ are quartered, again and again.
-    Adaptive,
+impl<'o> Base<'o> {
+    /// Pixel centres for a picture as it is, with those left and above that decide whether a pixel is refined; corners
+    /// of pixels for [`Method::Adaptive`].
+    pub(super) fn of(options: &'o Options) -> Self {
+        let window = options.window();
+        let antialias = options.antialias.as_ref();
+        let (origin, end) = match antialias.map(|antialias| antialias.method) {
+            None => ([window.left as f64, window.top as f64], [window.right, window.bottom]),
+            Some(Method::Adaptive) => {
+                ([window.left as f64 - 0.5, window.top as f64 - 0.5], [window.right + 1, window.bottom + 1])
+            }
+            Some(Method::Grid) => {
+                let start = |from: usize| (from / BLOCK * BLOCK) as f64 - 1.0;
+                let last = |to: usize, size: usize| end_of_decisions((to.max(1) - 1) / BLOCK * BLOCK, to, size);
+                let end = [last(window.right, options.width), last(window.bottom, options.height)];
+                ([start(window.left), start(window.top)], end)
+            }
+        };
+        let count = |end: usize, origin: f64| (end as f64 - origin).max(0.0) as usize;
+        Self { antialias, origin, columns: count(end[0], origin[0]), rows: count(end[1], origin[1]) }
+    }
+
+    /// The grid as a window of its own.
+    pub(super) fn window(&self) -> Region {
+        Region { left: 0, top: 0, right: self.columns, bottom: self.rows }
+    }
+
+    /// The image position of a place of the grid.
+    pub(super) fn position(&self, column: usize, row: usize) -> [f64; 2] {
+        [self.origin[0] + column as f64, self.origin[1] + row as f64]
+    }
+
+    /// How edges are smoothed, if these samples are not the picture.
+    pub(super) fn antialias(&self) -> Option<&'o Antialias> {
+        self.antialias
+    }
+
+    /// Samples of the grid and pixels that follow.
+    pub(super) fn n_steps(&self, window: &Region) -> usize {
+        self.columns * self.rows + self.antialias.map_or(0, |_| window.width() * window.height())
+    }
+
+    /// A part of the grid that starts at an image position, row by row.
+    fn part<'s, G>(
+        &self,
+        samples: &'s [G],
+        [x, y]: [f64; 2],
+        columns: usize,
+        rows: usize,
+    ) -> impl Iterator<Item = &'s [G]> + use<'s, G> {
+        let (left, top, stride) = ((x - self.origin[0]) as usize, (y - self.origin[1]) as usize, self.columns);
+        (top..top + rows).map(move |row| &samples[row * stride + left..row * stride + left + columns])
+    }
 }
 
-/// Exponent of POV-Ray's `Antialias_Gamma`, in whose space colours are compared.
-const COMPARE_GAMMA: f32 = 2.5;
+/// Where pixels end that can refine one before `to`, in a block that starts at `from`.
+fn end_of_decisions(from: usize, to: usize, size: usize) -> usize {
+    (to + 1).min(from + BLOCK).min(size)
+}
 
 impl Antialias {
+    /// The pixels of a block, row by row, from the samples of the base grid.
+    pub(super) fn block<G: Gather>(
+        &self,
+        worker: &mut Worker<'_>,
+        base: &Base<'_>,
+        samples: &[G],
+        block: &Block,
+    ) -> Vec<G> {
+        match self.method {
+            Method::Grid => self.grid_block(worker, base, samples, block),
+            Method::Adaptive => self.adaptive_block(worker, base, samples, block),
+        }
+    }
+
+    fn contrast(&self, worker: &Worker<'_>) -> Contrast {
+        Contrast { threshold: self.threshold, transfer: worker.world().settings.transfer }
+    }
+
     /// Where a sample meant for a position is taken.
-    fn displaced(&self, x: f64, y: f64) -> [f64; 2] {
+    fn displaced(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         if self.jitter == 0.0 {
             return [x, y];
         }
@@ -50,104 +113,77 @@ impl Antialias {
         [x + self.jitter / cells * dx, y + self.jitter / cells * dy]
     }
 
-    /// Samples meant for some positions.
-    fn samples<G: Gather>(&self, tracer: &mut Tracer<'_>, positions: impl Iterator<Item = [f64; 2]>) -> Vec<G> {
-        let displaced: SmallVec<[[f64; 2]; 9]> = positions.map(|[x, y]| self.displaced(x, y)).collect();
-        tracer.camera_rays(&displaced)
-    }
-
-    fn differ(&self, tracer: &Tracer<'_>, a: &Radiance, b: &Radiance) -> bool {
-        let transfer = tracer.world.settings.transfer;
-        let display = |v: f32| transfer.linear(v).max(0.0).powf(1.0 / COMPARE_GAMMA);
-        let distance = |a: Rgb, b: Rgb| {
-            (display(a.x) - display(b.x)).abs()
-                + (display(a.y) - display(b.y)).abs()
-                + (display(a.z) - display(b.z)).abs()
-        };
-        // Most neighbours agree exactly, and powers are dear.
-        if a == b {
-            return self.threshold <= 0.0;
-        }
-        f64::from(distance(a.rgb, b.rgb) + (a.transparency - b.transparency).abs()) >= self.threshold
-    }
-
-    /// Renders a block, row by row.
-    pub(super) fn block<G: Gather>(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<G> {
-        match self.method {
-            Method::Grid => self.grid_block(tracer, block),
-            Method::Adaptive => self.adaptive_block(tracer, block),
-        }
-    }
-
-    fn grid_block<G: Gather>(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<G> {
-        let Block { x: left, y: top, width, height } = *block;
+    /// Pixels above and to the left decide whether one is refined, and so do its neighbours on the right and below.
+    fn grid_block<G: Gather>(&self, worker: &mut Worker<'_>, base: &Base<'_>, samples: &[G], block: &Block) -> Vec<G> {
+        let contrast = self.contrast(worker);
+        let (left, top) = (block.x / BLOCK * BLOCK, block.y / BLOCK * BLOCK);
+        let options = worker.options();
+        let width = end_of_decisions(left, block.x + block.width, options.width) - left;
+        let height = end_of_decisions(top, block.y + block.height, options.height) - top;
         // One column and one row more, for the helpers on the left and above; they are never refined.
+        let (x, y) = (left as f64 - 1.0, top as f64 - 1.0);
         let stride = width + 1;
-        let mut pixels = vec![G::default(); stride * (height + 1)];
-        let mut refined = vec![false; pixels.len()];
-        (0..stride).for_each(|i| refined[i] = true);
-        let (x, y) = (left as f64, top as f64);
-        let above: Vec<_> = (0..width).map(|i| [x + i as f64, y - 1.0]).collect();
-        pixels.splice(1..stride, tracer.camera_rays(&above));
-        let beside: Vec<_> = (0..height).map(|j| [x - 1.0, y + j as f64]).collect();
-        let inside = tracer.camera_grid(width, height, [x, y]);
-        for ((row, first), others) in
-            pixels.chunks_mut(stride).skip(1).zip(tracer.camera_rays(&beside)).zip(inside.chunks(width))
-        {
-            row[0] = first;
-            row[1..].clone_from_slice(others);
-        }
-        for j in 1..=height {
-            let y = (top + j) as f64 - 1.0;
-            refined[j * stride] = true;
-            for i in 1..stride {
-                let x = (left + i) as f64 - 1.0;
-                let at = j * stride + i;
-                let neighbours = [(at - 1, x - 1.0, y), (at - stride, x, y - 1.0)];
-                let differs =
-                    neighbours.map(|(other, ..)| self.differ(tracer, &pixels[at].light(), &pixels[other].light()));
-                for ((other, x, y), _) in neighbours.into_iter().zip(differs).filter(|(_, d)| *d) {
-                    self.refine(tracer, &mut pixels[other], &mut refined[other], x, y);
-                }
-                if differs[0] || differs[1] {
-                    self.refine(tracer, &mut pixels[at], &mut refined[at], x, y);
+        let mut pixels = base.part(samples, [x, y], stride, height + 1).collect::<Vec<_>>().concat();
+        let mut refined: Vec<bool> = (0..pixels.len()).map(|at| at < stride || at % stride == 0).collect();
+        let position = |at: usize| [x + (at % stride) as f64, y + (at / stride) as f64];
+        for at in (stride..pixels.len()).filter(|at| at % stride != 0) {
+            let neighbours = [at - 1, at - stride];
+            let differs = neighbours.map(|other| contrast.differ(&pixels[at].light(), &pixels[other].light()));
+            let both = neighbours.into_iter().zip(differs).filter(|(_, differs)| *differs).map(|(other, _)| other);
+            for at in both.chain((differs[0] || differs[1]).then_some(at)) {
+                if !std::mem::replace(&mut refined[at], true) {
+                    pixels[at] = self.refined(worker, std::mem::take(&mut pixels[at]), position(at));
                 }
             }
         }
-        (1..=height).flat_map(|j| pixels[j * stride + 1..(j + 1) * stride].to_vec()).collect()
+        let inside = |start: usize, from: usize, n: usize| start - from + 1..start - from + 1 + n;
+        let (rows, columns) = (inside(block.y, top, block.height), inside(block.x, left, block.width));
+        rows.flat_map(|row| pixels[row * stride..][columns.clone()].to_vec()).collect()
     }
 
-    /// Adds a grid of samples to a pixel's centre, once.
-    fn refine<G: Gather>(&self, tracer: &mut Tracer<'_>, pixel: &mut G, refined: &mut bool, x: f64, y: f64) {
-        if std::mem::replace(refined, true) {
-            return;
-        }
+    /// A pixel's centre and a grid of samples around it.
+    fn refined<G: Gather>(&self, worker: &mut Worker<'_>, center: G, [x, y]: [f64; 2]) -> G {
         let n = self.depth;
         let offset = |i: u32| -0.5 + 1.0 / f64::from(2 * n) + f64::from(i) / f64::from(n);
-        let mut sum = std::mem::take(pixel);
-        let grid = (0..n * n).map(|k| [x + offset(k % n), y + offset(k / n)]);
-        self.samples(tracer, grid).iter().for_each(|sample| sum.add_scaled(sample, 1.0));
-        *pixel = sum.scaled(1.0 / (n * n + 1) as f32);
+        let wanted: SmallVec<[[f64; 2]; 9]> =
+            (0..n * n).map(|k| self.displaced([x + offset(k % n), y + offset(k / n)])).collect();
+        // Of an odd grid without jitter the middle is the centre, which is known.
+        let positions: SmallVec<[[f64; 2]; 9]> = wanted.iter().copied().filter(|at| *at != [x, y]).collect();
+        let mut found = at_positions::<G>(worker, &positions).into_iter();
+        let mut sum = center.clone();
+        let mut traced = 1;
+        for at in &wanted {
+            if *at == [x, y] {
+                sum.add_scaled(&center, 1.0);
+            } else if let Some(sample) = found.next() {
+                sum.add_scaled(&sample, 1.0);
+                traced += 1;
+            }
+        }
+        let mut mean = sum.scaled(1.0 / (n * n + 1) as f32);
+        mean.count(traced);
+        mean
     }
 
-    fn adaptive_block<G: Gather>(&self, tracer: &mut Tracer<'_>, block: &Block) -> Vec<G> {
+    fn adaptive_block<G: Gather>(
+        &self,
+        worker: &mut Worker<'_>,
+        base: &Base<'_>,
+        samples: &[G],
+        block: &Block,
+    ) -> Vec<G> {
         let Block { x: left, y: top, width, height } = *block;
-        let stride = width + 1;
-        let corners: Vec<G> = tracer.camera_grid(stride, height + 1, [left as f64 - 0.5, top as f64 - 0.5]);
+        let corner = [left as f64 - 0.5, top as f64 - 0.5];
+        let rows: Vec<&[G]> = base.part(samples, corner, width + 1, height + 1).collect();
         let mut pixels = Vec::with_capacity(width * height);
         let mut known = FxHashMap::default();
-        for j in 0..height {
+        for (j, two) in rows.windows(2).enumerate() {
             for i in 0..width {
                 known.clear();
-                let at = j * stride + i;
-                let four = [at, at + 1, at + stride, at + stride + 1].map(|i| corners[i].clone());
-                let square = Square {
-                    x: (left + i) as f64 - 0.5,
-                    y: (top + j) as f64 - 0.5,
-                    place: [0, 0],
-                    level: self.depth - 1,
-                };
-                let mut pixel = self.subdivide(tracer, &square, &four, &mut known);
+                let four = [&two[0][i], &two[0][i + 1], &two[1][i], &two[1][i + 1]].map(G::clone);
+                let square =
+                    Square { x: corner[0] + i as f64, y: corner[1] + j as f64, place: [0, 0], level: self.depth - 1 };
+                let mut pixel = self.subdivide(worker, &square, &four, &mut known);
                 pixel.recount(four.iter().chain(known.values()));
                 pixels.push(pixel);
             }
@@ -158,15 +194,15 @@ impl Antialias {
     /// Mean over a square of a pixel, from its corners (top left, top right, bottom left, bottom right).
     fn subdivide<G: Gather>(
         &self,
-        tracer: &mut Tracer<'_>,
+        worker: &mut Worker<'_>,
         square: &Square,
         corners: &[G; 4],
         known: &mut FxHashMap<[u32; 2], G>,
     ) -> G {
+        let contrast = self.contrast(worker);
         let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
-        if square.level == 0
-            || !pairs.iter().any(|(a, b)| self.differ(tracer, &corners[*a].light(), &corners[*b].light()))
-        {
+        let differ = |(a, b): &(usize, usize)| contrast.differ(&corners[*a].light(), &corners[*b].light());
+        if square.level == 0 || !pairs.iter().any(differ) {
             let mut mean = G::default();
             corners.iter().for_each(|c| mean.add_scaled(c, 0.25));
             return mean;
@@ -178,7 +214,8 @@ impl Antialias {
             .map(|[dx, dy]: [u32; 2]| [square.place[0] + dx * half, square.place[1] + dy * half]);
         let new: SmallVec<[[u32; 2]; 5]> = places.into_iter().filter(|place| !known.contains_key(place)).collect();
         let position = |[i, j]: &[u32; 2]| [square.x + f64::from(*i) * cell, square.y + f64::from(*j) * cell];
-        known.extend(new.iter().copied().zip(self.samples(tracer, new.iter().map(position))));
+        let positions: SmallVec<[[f64; 2]; 5]> = new.iter().map(|place| self.displaced(position(place))).collect();
+        known.extend(new.iter().copied().zip(at_positions(worker, &positions)));
         let [left, top, right, bottom, middle] = places.map(|place| known[&place].clone());
         let quarters = [
             ([0, 0], [&corners[0], &top, &left, &middle]),
@@ -191,7 +228,7 @@ impl Antialias {
             let corners = corners.map(G::clone);
             let place = [square.place[0] + shift[0] * half, square.place[1] + shift[1] * half];
             let quarter = Square { place, level: square.level - 1, ..*square };
-            mean.add_scaled(&self.subdivide(tracer, &quarter, &corners, known), 0.25);
+            mean.add_scaled(&self.subdivide(worker, &quarter, &corners, known), 0.25);
         }
         mean
     }

@@ -1,33 +1,43 @@
 //! From a compiled world to pixels: camera rays, recursion, shading, antialiasing, blocks.
 //!
 //! The same world and options give the same bits for any number of threads: nothing depends
-//! on which thread works on a block, and every random choice comes from the position of the
-//! camera ray. Rendering cannot fail.
+//! on which thread works on a block, and every random choice is a function of the camera ray's
+//! position and the path from it. Rendering cannot fail.
+//!
+//! Read from the bottom of this list upwards, each module knows those below it:
+//!
+//! - [`picture`]: blocks on all cores; [`antialias`]: which positions are looked at; [`sensor`]: the rays through one;
+//! - [`transport`]: the recursion; [`light`]: what arrives at a vertex from light sources; [`shade`]: layers as values;
+//! - [`film`]: what is kept of light; [`worker`], [`prepare`]: what a thread owns, what all share;
+//! - [`medium`], [`environment`]: what a ray passes, what it sees at the end; [`camera`]; [`vertex`], [`path`];
+//! - [`enough`], [`random`], [`jitter`], [`radiance`], [`statistics`], [`observer`], [`options`].
 
 mod antialias;
-mod atmosphere;
-mod blocks;
 mod camera;
-mod coverage;
-mod dispersion;
-mod finish;
-mod focal_blur;
-mod gather;
-mod image_layers;
+mod enough;
+mod environment;
+mod film;
+mod image_layer;
 mod jitter;
-mod layers;
-mod lights;
-mod mesh_camera;
-mod neighbours;
+mod light;
+mod medium;
+mod observer;
 mod options;
+mod path;
+mod picture;
+mod prepare;
+mod radiance;
 mod random;
-mod ray;
-mod refraction;
-mod shadow;
-mod tracer;
+mod sensor;
+mod shade;
+mod statistics;
+mod transport;
+mod vertex;
+mod worker;
 
-pub use antialias::{Antialias, Method};
-pub use blocks::{Progress, Rendered, render};
-pub use image_layers::ImageLayer;
-pub use options::{Options, Region};
-pub use ray::{Radiance, Statistics};
+pub use image_layer::ImageLayer;
+pub use observer::{FinishedBlock, Observer, Unobserved};
+pub use options::{Antialias, Method, Options, Region};
+pub use picture::{Rendered, render};
+pub use radiance::Radiance;
+pub use statistics::Statistics;

@@ -1,6 +1,6 @@
 //! What the user may choose about a picture of a world.
 
-use super::{Antialias, ImageLayer};
+use super::image_layer::ImageLayer;
 
 /// Choices that are not part of the scene.
 #[derive(Clone, Debug)]
@@ -15,12 +15,32 @@ pub struct Options {
     pub quality: u8,
     /// The picture gets an alpha channel and the background lets it show.
     pub alpha: bool,
-    /// Worker threads; 0 for one for each core.
-    pub threads: usize,
     /// The part of the picture to render; its pixels are those of the whole picture.
     pub region: Option<Region>,
     /// What is written beside the picture.
     pub layers: Vec<ImageLayer>,
+}
+
+/// How edges are smoothed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Antialias {
+    /// Which of the two ways.
+    pub method: Method,
+    /// Difference of neighbours from which a pixel is refined, 0 to 1.
+    pub threshold: f64,
+    /// Samples along an edge, or levels of subdivision; 1 to 9.
+    pub depth: u32,
+    /// Amount of jitter, 0 to 1.
+    pub jitter: f64,
+}
+
+/// The two ways.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Method 1: pixels that differ from a neighbour get a grid of samples.
+    Grid,
+    /// Method 2: pixels whose corners differ are quartered, again and again.
+    Adaptive,
 }
 
 /// A rectangle of pixels.
@@ -93,15 +113,6 @@ impl Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self {
-            width: 320,
-            height: 240,
-            antialias: None,
-            quality: 9,
-            alpha: false,
-            threads: 0,
-            region: None,
-            layers: Vec::new(),
-        }
+        Self { width: 320, height: 240, antialias: None, quality: 9, alpha: false, region: None, layers: Vec::new() }
     }
 }

@@ -8,7 +8,8 @@ use whitted::compile::{self, Queries};
 use whitted::compiled::World;
 use whitted::eval::{self, Memory};
 use whitted::imaging::Picture;
-use whitted::render::{self, Antialias, Method, Options};
+use whitted::job::Session;
+use whitted::render::{Antialias, Method, Options, Unobserved};
 
 /// Everything that a layer tells apart: mirrors, glass, bumps, fog, a rainbow, own light, copies, several lights.
 const SCENE: &str = "
@@ -42,12 +43,12 @@ fn world(scene: &str) -> World {
 
 /// A small picture of a scene.
 fn picture(world: &World, options: &Options) -> Picture {
-    render::render(world, options, &|_| {}).picture
+    Session::new(1).picture(world, options, &Unobserved).picture
 }
 
 /// Wide enough for several blocks, and not a multiple of them.
 fn small(antialias: Option<Antialias>) -> Options {
-    Options { width: 75, height: 50, antialias, threads: 1, ..Options::default() }
+    Options { width: 75, height: 50, antialias, ..Options::default() }
 }
 
 /// No antialiasing, and both ways with jitter.

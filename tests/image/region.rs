@@ -20,7 +20,8 @@ fn check(scene: &str, antialias: Option<Antialias>) {
     ];
     for ([left, top, right, bottom], threads) in parts {
         let region = Some(Region { left, top, right, bottom });
-        let part = picture(&world, &Options { region, threads, ..options.clone() });
+        let options = Options { region, ..options.clone() };
+        let part = Session::new(threads).picture(&world, &options, &Unobserved).picture;
         assert_eq!([part.width, part.height], [right - left, bottom - top]);
         assert_eq!((part.origin, part.full), ([left as i32, top as i32], [75, 50]));
         for y in top..bottom {

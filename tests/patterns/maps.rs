@@ -52,8 +52,11 @@ fn shown(declarations: &str, texture: &str, x: f64, expected: [f32; 3]) {
         plane{{z,.1 {texture} finish{{ambient 1 diffuse 0}}}}"
     ));
     let compiled = whitted::compile::compile(&scene.0.scene).expect("a scene");
-    let options = whitted::render::Options { width: 1, height: 1, threads: 1, ..Default::default() };
-    let found = whitted::render::render(&compiled.world, &options, &|_| {}).picture.pixel(0, 0);
+    let options = whitted::render::Options { width: 1, height: 1, ..Default::default() };
+    let found = whitted::job::Session::new(1)
+        .picture(&compiled.world, &options, &whitted::render::Unobserved)
+        .picture
+        .pixel(0, 0);
     // The last of 16 bits, and where a value of 1 comes round.
     let close = expected.iter().zip(found).all(|(e, f)| (e - f).abs() < 1.6e-5);
     assert!(close, "{declarations} {texture} at {x}: {found:?} instead of {expected:?}");

@@ -14,7 +14,8 @@ mod shadows;
 use whitted::compile::{self, Queries};
 use whitted::eval::{self, Memory};
 use whitted::imaging::Picture;
-use whitted::render::{self, Options};
+use whitted::job::Session;
+use whitted::render::{Options, Unobserved};
 
 /// Camera on the z axis, looking along it.
 const CZ: &str = "camera{location <0,0,-10> look_at 0 right x up y angle 1}";
@@ -41,7 +42,7 @@ fn picture(scene: &str, options: &Options) -> Picture {
     let read = read.unwrap_or_else(|f| panic!("{scene}\n{}", messages(&f.diagnostics, &f.sources)));
     let compiled = compile::compile(&read.scene);
     let compiled = compiled.unwrap_or_else(|e| panic!("{scene}\n{}", messages(&e, &read.sources)));
-    render::render(&compiled.world, options, &|_| {}).picture
+    Session::new(1).picture(&compiled.world, options, &Unobserved).picture
 }
 
 fn messages(diagnostics: &[whitted::diag::Diagnostic], sources: &whitted::diag::SourceMap) -> String {
@@ -50,7 +51,7 @@ fn messages(diagnostics: &[whitted::diag::Diagnostic], sources: &whitted::diag::
 
 /// One pixel, one thread, all effects.
 fn single() -> Options {
-    Options { width: 1, height: 1, threads: 1, ..Options::default() }
+    Options { width: 1, height: 1, ..Options::default() }
 }
 
 /// Renders a scene and compares its colour.

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use whitted::compile::{self, Queries};
 use whitted::eval::{self, Disk};
-use whitted::render::{self, Options};
+use whitted::job::Session;
+use whitted::render::{Options, Unobserved};
 
 /// Half floats hold 11 bits, so half of the last one is 4.9e-4 of a value; the rest is single precision on both sides.
 const TOLERANCE: f32 = 5.5e-4;
@@ -22,8 +23,8 @@ fn pixel(scene: &Path, options: &str) -> [f32; 4] {
     let read = eval::evaluate(scene, &reading, &host, &Queries::default());
     let read = read.unwrap_or_else(|f| panic!("{:?}", f.diagnostics));
     let compiled = compile::compile(&read.scene).unwrap_or_else(|e| panic!("{e:?}"));
-    let how = Options { width: 4, height: 4, alpha: options == "UA", threads: 1, ..Options::default() };
-    render::render(&compiled.world, &how, &|_| {}).picture.pixel(1, 1)
+    let how = Options { width: 4, height: 4, alpha: options == "UA", ..Options::default() };
+    Session::new(1).picture(&compiled.world, &how, &Unobserved).picture.pixel(1, 1)
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Layers beside the picture: what each is called in the file, and its values.
+//! The values of layers beside the picture.
 
 use super::coverage::Coverage;
 use super::gather::{Detail, Gather, Term};
@@ -7,90 +7,14 @@ use crate::compiled::camera::Projection;
 use crate::compiled::geometry::{ObjectId, TextureId};
 use crate::imaging::{Layer, cryptomatte};
 use crate::math::{DVec3, Rgb};
+use crate::render::image_layer::ImageLayer;
 
 /// The depth of pixels that show nothing, as Blender writes it.
 const NO_DEPTH: f32 = 1e10;
 
-/// Something that can be written beside the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ImageLayer {
-    /// Distance from the camera's plane (for perspective and orthographic cameras, else from the camera)
-    /// of the nearest sample.
-    Depth,
-    /// World position of the nearest sample.
-    Position,
-    /// Shading normal, world space, towards the viewer; mean of the samples.
-    Normal,
-    /// Normal of the surface without bumps and smoothing.
-    GeometricNormal,
-    /// Colour of the pigments, weighted by opacity.
-    Albedo,
-    /// Ambient light and emission of the first surface.
-    Emission,
-    /// Light from light sources, by the first surface.
-    Direct,
-    /// What the first surface mirrors.
-    Reflection,
-    /// What comes through the first surface.
-    Refraction,
-    /// Sky and background.
-    Background,
-    /// What fog and rainbows add.
-    Atmosphere,
-    /// Camera rays sent for the pixel.
-    Samples,
-    /// Shares of objects, as Cryptomatte.
-    CryptoObject,
-    /// Shares of textures, as Cryptomatte.
-    CryptoMaterial,
-}
-
 impl ImageLayer {
-    /// All layers, in the order in which they are documented.
-    pub const ALL: [Self; 14] = [
-        Self::Depth,
-        Self::Position,
-        Self::Normal,
-        Self::GeometricNormal,
-        Self::Albedo,
-        Self::Emission,
-        Self::Direct,
-        Self::Reflection,
-        Self::Refraction,
-        Self::Background,
-        Self::Atmosphere,
-        Self::Samples,
-        Self::CryptoObject,
-        Self::CryptoMaterial,
-    ];
-
-    /// What the user calls it, and the layer in the file (for `Z`, the channel).
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Depth => "Z",
-            Self::Position => "P",
-            Self::Normal => "N",
-            Self::GeometricNormal => "Ng",
-            Self::Albedo => "albedo",
-            Self::Emission => "emission",
-            Self::Direct => "direct",
-            Self::Reflection => "reflection",
-            Self::Refraction => "refraction",
-            Self::Background => "background",
-            Self::Atmosphere => "atmosphere",
-            Self::Samples => "samples",
-            Self::CryptoObject => "CryptoObject",
-            Self::CryptoMaterial => "CryptoMaterial",
-        }
-    }
-
-    /// The layer of a name, in any case.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|layer| layer.name().eq_ignore_ascii_case(name))
-    }
-
     /// Its values over all pixels; Cryptomatte is several layers.
-    pub(super) fn build(self, world: &World, pixels: &[Detail]) -> Vec<Layer> {
+    pub(in crate::render) fn build(self, world: &World, pixels: &[Detail]) -> Vec<Layer> {
         let term = |term: Term| self.colors(pixels, |p| linear_share(world, p, term));
         let one = |channel: &str, value: &dyn Fn(&Detail) -> f32| {
             let name = if channel == "Z" { String::new() } else { self.name().into() };
@@ -163,20 +87,4 @@ fn statements(world: &World, pixel: &Detail) -> Vec<(u32, f32)> {
         shares.add(world.labels.statement(ObjectId(object)), share);
     }
     shares.ranked()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn check(name: &str, expected: Option<ImageLayer>) {
-        assert_eq!(ImageLayer::named(name), expected, "{name}");
-    }
-
-    #[test]
-    fn layers_have_names() {
-        ImageLayer::ALL.iter().for_each(|layer| check(layer.name(), Some(*layer)));
-        check("cryptoobject", Some(ImageLayer::CryptoObject));
-        check("depth", None);
-    }
 }

@@ -4,15 +4,15 @@
 //! twice: with [`Radiance`] everything but the light falls away, so that a picture without layers pays
 //! nothing; with [`Detail`] the light is summed in the same order, so that its bits are the same.
 
-use super::atmosphere::Veil;
 use super::coverage::Coverage;
-use super::ray::Radiance;
 use crate::compiled::geometry::Surface;
 use crate::math::{DVec3, Rgb};
+use crate::render::medium::Airlight;
+use crate::render::radiance::{Mix, Radiance};
 
 /// Where light comes from, as seen at the first surface; all terms add up to the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Term {
+pub(in crate::render) enum Term {
     /// Ambient light and emission of the surface.
     Emission,
     /// Diffuse light and highlights from light sources.
@@ -28,30 +28,27 @@ pub(super) enum Term {
 }
 
 /// How many terms there are.
-pub(super) const N_TERMS: usize = 6;
+pub(in crate::render) const N_TERMS: usize = 6;
 
 /// Something that light is gathered in.
-pub(super) trait Gather: Clone + Default + Send {
+pub(in crate::render) trait Gather: Mix + Clone + Send + Sync {
     /// The light itself.
     fn light(&self) -> Radiance;
     /// Adds light of one term.
     fn add(&mut self, term: Term, light: Radiance);
     /// Adds a surface's own and direct light behind a filter.
     fn add_own(&mut self, filter: Rgb, emission: Rgb, direct: Rgb);
-    /// Adds a share of another sample.
-    fn add_scaled(&mut self, other: &Self, weight: f32);
-    /// A share of this sample.
-    #[must_use]
-    fn scaled(self, weight: f32) -> Self;
-    /// Lays the atmosphere over everything so far.
-    fn veil(&mut self, veil: &Veil);
+    /// Carries everything so far through what lies on the way.
+    fn pass(&mut self, air: &Airlight);
     /// Notes the normal that shades, towards the viewer, and the colour that counts as the surface's own.
     fn note_shading(&mut self, normal: DVec3, albedo: Rgb);
     /// Notes the first hit of a camera ray.
     fn note_hit(&mut self, surface: &Surface, length: f64, facing: DVec3);
     /// Notes that this is one camera ray.
     fn note_sample(&mut self);
-    /// Counts samples anew where sums have counted some several times.
+    /// Sets the number of samples where sums have counted some several times.
+    fn count(&mut self, n: u32);
+    /// Counts samples anew, those of all parts.
     fn recount<'a>(&mut self, parts: impl Iterator<Item = &'a Self>)
     where
         Self: 'a;
@@ -71,18 +68,9 @@ impl Gather for Radiance {
         self.rgb += filter * (emission + direct);
     }
 
-    fn add_scaled(&mut self, other: &Self, weight: f32) {
-        self.rgb += weight * other.rgb;
-        self.transparency += weight * other.transparency;
-    }
-
-    fn scaled(self, weight: f32) -> Self {
-        Self { rgb: weight * self.rgb, transparency: weight * self.transparency }
-    }
-
-    fn veil(&mut self, veil: &Veil) {
-        self.rgb = veil.factor * self.rgb + veil.added;
-        self.transparency *= veil.transparency;
+    fn pass(&mut self, air: &Airlight) {
+        self.rgb = air.transmittance * self.rgb + air.radiance;
+        self.transparency *= air.transparency;
     }
 
     fn note_shading(&mut self, _: DVec3, _: Rgb) {}
@@ -91,12 +79,14 @@ impl Gather for Radiance {
 
     fn note_sample(&mut self) {}
 
+    fn count(&mut self, _: u32) {}
+
     fn recount<'a>(&mut self, _: impl Iterator<Item = &'a Self>) {}
 }
 
 /// Light with everything that layers show.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Detail {
+pub(in crate::render) struct Detail {
     light: Radiance,
     terms: [Rgb; N_TERMS],
     /// Of the nearest sample.
@@ -113,71 +103,56 @@ pub(super) struct Detail {
 
 /// Where a camera ray ended.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Nearest {
+pub(in crate::render) struct Nearest {
     /// Along the ray.
-    pub(super) length: f64,
+    pub(in crate::render) length: f64,
     /// World space.
-    pub(super) point: DVec3,
+    pub(in crate::render) point: DVec3,
 }
 
 impl Detail {
     /// The light of one term.
-    pub(super) fn term(&self, term: Term) -> Rgb {
+    pub(in crate::render) fn term(&self, term: Term) -> Rgb {
         self.terms[term as usize]
     }
 
     /// The nearest place that any sample met.
-    pub(super) fn nearest(&self) -> Option<Nearest> {
+    pub(in crate::render) fn nearest(&self) -> Option<Nearest> {
         self.nearest
     }
 
     /// Mean shading normal; shorter than 1 where samples differ or miss.
-    pub(super) fn normal(&self) -> DVec3 {
+    pub(in crate::render) fn normal(&self) -> DVec3 {
         self.normal
     }
 
     /// Mean normal of the surface itself.
-    pub(super) fn geometric_normal(&self) -> DVec3 {
+    pub(in crate::render) fn geometric_normal(&self) -> DVec3 {
         self.geometric_normal
     }
 
     /// Mean colour of the surface.
-    pub(super) fn albedo(&self) -> Rgb {
+    pub(in crate::render) fn albedo(&self) -> Rgb {
         self.albedo
     }
 
     /// Camera rays that were sent for this.
-    pub(super) fn samples(&self) -> u32 {
+    pub(in crate::render) fn samples(&self) -> u32 {
         self.samples
     }
 
     /// Shares of frame-level objects.
-    pub(super) fn objects(&self) -> &Coverage {
+    pub(in crate::render) fn objects(&self) -> &Coverage {
         &self.objects
     }
 
     /// Shares of textures.
-    pub(super) fn materials(&self) -> &Coverage {
+    pub(in crate::render) fn materials(&self) -> &Coverage {
         &self.materials
     }
 }
 
-impl Gather for Detail {
-    fn light(&self) -> Radiance {
-        self.light
-    }
-
-    fn add(&mut self, term: Term, light: Radiance) {
-        self.light.add(term, light);
-        self.terms[term as usize] += light.rgb;
-    }
-
-    fn add_own(&mut self, filter: Rgb, emission: Rgb, direct: Rgb) {
-        self.light.add_own(filter, emission, direct);
-        self.terms[Term::Emission as usize] += filter * emission;
-        self.terms[Term::Direct as usize] += filter * direct;
-    }
-
+impl Mix for Detail {
     fn add_scaled(&mut self, other: &Self, weight: f32) {
         self.light.add_scaled(&other.light, weight);
         self.terms.iter_mut().zip(&other.terms).for_each(|(a, b)| *a += weight * *b);
@@ -201,11 +176,28 @@ impl Gather for Detail {
         self.materials.scale(weight);
         self
     }
+}
 
-    fn veil(&mut self, veil: &Veil) {
-        self.light.veil(veil);
-        self.terms.iter_mut().for_each(|term| *term *= veil.factor);
-        self.terms[Term::Atmosphere as usize] += veil.added;
+impl Gather for Detail {
+    fn light(&self) -> Radiance {
+        self.light
+    }
+
+    fn add(&mut self, term: Term, light: Radiance) {
+        self.light.add(term, light);
+        self.terms[term as usize] += light.rgb;
+    }
+
+    fn add_own(&mut self, filter: Rgb, emission: Rgb, direct: Rgb) {
+        self.light.add_own(filter, emission, direct);
+        self.terms[Term::Emission as usize] += filter * emission;
+        self.terms[Term::Direct as usize] += filter * direct;
+    }
+
+    fn pass(&mut self, air: &Airlight) {
+        self.light.pass(air);
+        self.terms.iter_mut().for_each(|term| *term *= air.transmittance);
+        self.terms[Term::Atmosphere as usize] += air.radiance;
     }
 
     fn note_shading(&mut self, normal: DVec3, albedo: Rgb) {
@@ -226,6 +218,10 @@ impl Gather for Detail {
 
     fn note_sample(&mut self) {
         self.samples += 1;
+    }
+
+    fn count(&mut self, n: u32) {
+        self.samples = n;
     }
 
     fn recount<'a>(&mut self, parts: impl Iterator<Item = &'a Self>) {
@@ -264,7 +260,7 @@ mod tests {
         sum.add_scaled(&Detail::default(), 1.0);
         let mut mean = sum.scaled(0.25);
         check(&mean, 2.0, &[(4, 0.5), (3, 0.25)], 3);
-        mean.veil(&Veil { factor: Rgb::splat(0.5), added: Rgb::X, transparency: 0.5 });
+        mean.pass(&Airlight { transmittance: Rgb::splat(0.5), radiance: Rgb::X, transparency: 0.5 });
         check(&mean, 2.0, &[(4, 0.5), (3, 0.25)], 3);
         let parts = [sample(1.0, 1), sample(1.0, 1)];
         mean.recount(parts.iter());

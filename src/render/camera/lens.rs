@@ -1,21 +1,19 @@
-//! Depth of field: samples over the lens until they agree.
+//! Depth of field: rays over the lens.
 //!
 //! Source: section 2 of the camera facts (measured).
 
-use super::camera::RawRay;
-use super::gather::Gather;
-use super::jitter::{jitter, shuffled};
-use super::ray::Radiance;
-use super::tracer::Tracer;
+use super::RawRay;
 use crate::compiled::camera::{Camera, FocalBlur};
 use crate::compiled::texture::Context;
 use crate::math::MersenneTwister;
 use crate::math::{DVec2, DVec3, Ray, gray};
+use crate::render::enough::Confidence;
+use crate::render::jitter::{jitter, shuffled};
 use std::f64::consts::{PI, TAU};
-use std::rc::Rc;
 
 /// Lens points and jitter of a sample count.
-pub(super) struct Lens {
+#[derive(Debug)]
+pub(in crate::render) struct Lens {
     points: Vec<DVec2>,
     jitter: f64,
     /// Unit vectors in the plane of the lens.
@@ -24,59 +22,36 @@ pub(super) struct Lens {
     half_aperture: f64,
     /// From the length of the camera's direction to the distance that is in focus.
     scale: f64,
-    /// Chi-square thresholds for stopping, by sample count.
-    quantiles: Vec<f64>,
+    /// When its rays agree.
+    pub(in crate::render) confidence: Confidence,
 }
 
-impl Tracer<'_> {
-    /// Mean over the lens at an image position.
-    pub(super) fn blurred<G: Gather>(&mut self, blur: &FocalBlur, x: f64, y: f64) -> G {
-        let Some(lens) = self.lens.as_ref().map(Rc::clone) else { return G::default() };
-        let n_max = lens.points.len();
+impl Lens {
+    /// Ray number `k` of those through a continuous image position, `k` below [`Self::n_rays`]; `None` where the
+    /// projection shows nothing.
+    pub(in crate::render) fn ray(
+        &self,
+        camera: &Camera,
+        [x, y]: [f64; 2],
+        [width, height]: [usize; 2],
+        k: usize,
+    ) -> Option<Ray> {
         let base = (313.0 * x + 11.0).trunc() as i64 + (311.0 * y + 17.0).trunc() as i64;
-        let mut sums = [[0.0f64; 2]; 4];
-        let mut sum = G::default();
-        let mut n = 0;
-        for batch in batches(n_max) {
-            for _ in 0..batch {
-                // A lens ray that does not exist counts as clear where samples are compared, but adds nothing.
-                let mut light = Radiance::CLEAR;
-                if let Some(ray) = self.lens_ray(&lens, x, y, n, base) {
-                    let found: G = self.follow(ray, f64::INFINITY);
-                    light = found.light();
-                    sum.add_scaled(&found, 1.0);
-                }
-                let values = [light.rgb.x, light.rgb.y, light.rgb.z, light.transparency];
-                for (s, v) in sums.iter_mut().zip(values.map(f64::from)) {
-                    *s = [s[0] + v, s[1] + v * v];
-                }
-                n += 1;
-            }
-            let count = n as f64;
-            let threshold = match n_max {
-                1 => 0.0,
-                _ => blur.variance * lens.quantiles[n] / lens.quantiles[n_max - 1],
-            };
-            let steady = |s: &[f64; 2]| (s[1] / count - (s[0] / count).powi(2)) / count < threshold;
-            if n >= blur.min_samples && sums.iter().all(steady) {
-                break;
-            }
-        }
-        sum.scaled(1.0 / n.max(1) as f32)
-    }
-
-    fn lens_ray(&self, lens: &Lens, x: f64, y: f64, k: usize, base: i64) -> Option<Ray> {
-        let camera = &self.world.camera;
         let cell = |i: i64| (2.0 * (shuffled(base + i) % 16) as f64 + 1.0) / 32.0 - 0.5;
         let k_index = k as i64;
         let (dx, dy) = (cell(k_index), cell(k_index + 1));
         let [jx, jy] = jitter(dx, dy);
         let (x, y) = (x + dx + (jx - 0.5) / 16.0, y + dy + (jy - 0.5) / 16.0);
-        let raw = RawRay::through(camera, x, y, self.options.width, self.options.height)?;
+        let raw = RawRay::through(camera, x, y, width, height)?;
         let [jx, jy] = jitter(x + 0.5, y - 0.5);
-        let point = lens.points[k] + 2.0 * lens.jitter * DVec2::new(jx, jy);
-        let shift = lens.half_aperture * (point.x * lens.across - point.y * lens.along);
-        Some(raw.focused(camera, shift, lens.scale))
+        let point = self.points[k] + 2.0 * self.jitter * DVec2::new(jx, jy);
+        let shift = self.half_aperture * (point.x * self.across - point.y * self.along);
+        Some(raw.focused(camera, shift, self.scale))
+    }
+
+    /// The most rays that one image position has.
+    pub(in crate::render) fn n_rays(&self) -> usize {
+        self.points.len()
     }
 }
 
@@ -91,7 +66,7 @@ impl RawRay {
 
 impl Lens {
     /// The lens of a camera.
-    pub(super) fn new(camera: &Camera, blur: &FocalBlur) -> Self {
+    pub(in crate::render) fn new(camera: &Camera, blur: &FocalBlur) -> Self {
         let across = camera.up.cross(camera.direction).normalize_or(DVec3::X);
         let along = camera.direction.cross(across).normalize_or(DVec3::Y);
         let n = blur.max_samples.max(1);
@@ -112,7 +87,6 @@ impl Lens {
                 (round_points(n), jitter)
             }
         };
-        let quantiles = (0..=n).map(|nu| stopping_quantile(nu, blur.confidence)).collect();
         Self {
             points,
             jitter,
@@ -120,26 +94,9 @@ impl Lens {
             along,
             half_aperture: 0.5 * blur.aperture,
             scale: blur.focal_distance / camera.direction.length(),
-            quantiles,
+            confidence: Confidence::new(n, blur.min_samples, blur.confidence, blur.variance),
         }
     }
-}
-
-/// Sizes of batches after which sampling may stop.
-fn batches(n: usize) -> Vec<usize> {
-    let first: &[usize] = match n {
-        0..7 => &[],
-        7..19 => &[7],
-        19..37 => &[7, 6, 6],
-        _ => &[7, 6, 6, 4, 4, 4, 4, 2],
-    };
-    let mut left = n - first.iter().sum::<usize>();
-    let mut sizes = first.to_vec();
-    while left > 0 {
-        sizes.push(left.min(4));
-        left -= left.min(4);
-    }
-    sizes
 }
 
 /// The innermost points: four on a square, or full rings of a hexagon, in POV-Ray's order.
@@ -241,61 +198,9 @@ fn radical_inverse(mut i: u64, base: u64) -> f64 {
     value
 }
 
-/// Chi-square quantile with POV-Ray's tail: its series for odd degrees up to 25 is off by a factor.
-fn stopping_quantile(degrees: usize, confidence: f64) -> f64 {
-    let odd = degrees % 2 == 1 && degrees <= 25;
-    let tail = (1.0 - confidence) * if odd { 1.040_362_905_3 } else { 1.0 };
-    if degrees == 0 { 0.0 } else { chi_square_quantile(degrees as f64, tail) }
-}
-
-/// The value below which a share `p` of a chi-square distribution lies, by bisection.
-fn chi_square_quantile(degrees: f64, p: f64) -> f64 {
-    let (mut low, mut high) = (0.0, degrees + 20.0 * (2.0 * degrees).sqrt() + 50.0);
-    // Sixty halvings exhaust double precision.
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if regularised_gamma(0.5 * degrees, 0.5 * middle) < p { low = middle } else { high = middle }
-    }
-    0.5 * (low + high)
-}
-
-/// Regularised lower incomplete gamma function for half-integral `a`, by its series.
-///
-/// Source: Abramowitz and Stegun, 6.5.29.
-fn regularised_gamma(a: f64, x: f64) -> f64 {
-    if x <= 0.0 {
-        return 0.0;
-    }
-    let mut log_gamma = if a.fract() == 0.0 { 0.0 } else { PI.sqrt().ln() };
-    let mut b = if a.fract() == 0.0 { 1.0 } else { 0.5 };
-    while b < a {
-        log_gamma += f64::ln(b);
-        b += 1.0;
-    }
-    let (mut term, mut sum, mut k) = (1.0 / a, 1.0 / a, a);
-    while term > sum * f64::EPSILON {
-        k += 1.0;
-        term *= x / k;
-        sum += term;
-    }
-    (sum.ln() + a * x.ln() - x - log_gamma).exp()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn check(degrees: f64, tail: f64, expected: f64) {
-        let found = chi_square_quantile(degrees, tail);
-        assert!((found - expected).abs() < 1e-7, "{found} instead of {expected}");
-    }
-
-    #[test]
-    fn quantiles_are_those_that_stop_povray() {
-        check(36.0, 0.5, 35.335_572_8);
-        assert!((stopping_quantile(7, 0.9) - 2.879_020_015_6).abs() < 1e-7);
-        assert!((stopping_quantile(13, 0.5) - 12.591_729_637_6).abs() < 1e-7);
-    }
 
     #[test]
     fn lenses_have_their_number_of_points() {
@@ -303,7 +208,6 @@ mod tests {
             let points = round_points(n);
             assert_eq!(points.len(), n);
             assert!(points.iter().all(|p| p.length() <= 0.51), "{n}");
-            assert_eq!(batches(n).iter().sum::<usize>(), n);
         }
         assert_eq!(bokeh_points(20, |_, _| 0.0).len(), 20);
     }

@@ -8,9 +8,9 @@ use crate::math::{DMat3, DVec3, Ray};
 use std::f64::consts::PI;
 
 /// A ray before its direction is normalised, and where a camera normal is looked up.
-pub(super) struct RawRay {
-    pub(super) origin: DVec3,
-    pub(super) direction: DVec3,
+pub(in crate::render) struct RawRay {
+    pub(in crate::render) origin: DVec3,
+    pub(in crate::render) direction: DVec3,
     lookup: [f64; 2],
 }
 
@@ -23,7 +23,7 @@ impl RawRay {
     /// The ray through continuous position (`x`, `y`), integers being pixel centres, or `None`
     /// where the projection shows nothing.
     #[inline(always)]
-    pub(super) fn through(camera: &Camera, x: f64, y: f64, width: usize, height: usize) -> Option<Self> {
+    pub(in crate::render) fn through(camera: &Camera, x: f64, y: f64, width: usize, height: usize) -> Option<Self> {
         let (s, t) = ((x + 0.5) / width as f64 - 0.5, 0.5 - (y + 0.5) / height as f64);
         let (d, r, u) = (camera.direction, camera.right, camera.up);
         let (width, height) = (|| r.length(), || u.length());
@@ -89,7 +89,7 @@ impl RawRay {
 
     /// The finished ray: unit direction, bent by the camera's normal.
     #[inline(always)]
-    pub(super) fn finish(self, camera: &Camera) -> Ray {
+    pub(in crate::render) fn finish(self, camera: &Camera) -> Ray {
         let direction = self.direction.normalize_or(DVec3::Z);
         let Some(normal) = &camera.normal else { return Ray::new(self.origin, direction) };
         let point = DVec3::new(self.lookup[0], self.lookup[1], 0.0);

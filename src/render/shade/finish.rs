@@ -9,30 +9,30 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// How much a layer mirrors.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Reflectivity {
+pub(in crate::render) struct Reflectivity {
     /// Factor for each channel.
-    pub(super) tint: Rgb,
+    pub(in crate::render) tint: Rgb,
     /// How much the mirrored ray counts.
-    pub(super) importance: f32,
+    pub(in crate::render) importance: f32,
     /// Mirrored light is raised to 1 / exponent.
-    pub(super) exponent: f32,
+    pub(in crate::render) exponent: f32,
 }
 
 /// Geometry of light arriving at a surface.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Incidence {
+pub(in crate::render) struct Incidence {
     /// Unit direction of the view ray.
-    pub(super) view: DVec3,
+    pub(in crate::render) view: DVec3,
     /// Unit direction to the light.
-    pub(super) light: DVec3,
+    pub(in crate::render) light: DVec3,
     /// Unit perturbed normal.
-    pub(super) normal: DVec3,
+    pub(in crate::render) normal: DVec3,
     /// Cosine between normal and light, not negative.
-    pub(super) cosine: f64,
+    pub(in crate::render) cosine: f64,
 }
 
 /// Tint of a metallic highlight or reflection: the pigment's colour head on, white at grazing angles.
-pub(super) fn metallic_tint(metallic: f32, cosine: f64, pigment: Rgb) -> Rgb {
+pub(in crate::render) fn metallic_tint(metallic: f32, cosine: f64, pigment: Rgb) -> Rgb {
     if metallic == 0.0 {
         return Rgb::ONE;
     }
@@ -42,7 +42,7 @@ pub(super) fn metallic_tint(metallic: f32, cosine: f64, pigment: Rgb) -> Rgb {
 }
 
 /// Phong and Blinn highlights, without the light's colour.
-pub(super) fn highlights(finish: &Finish, at: &Incidence, pigment: Rgb) -> Rgb {
+pub(in crate::render) fn highlights(finish: &Finish, at: &Incidence, pigment: Rgb) -> Rgb {
     let mut amount = 0.0;
     if finish.phong > 0.0 {
         let mirrored = at.view - 2.0 * at.view.dot(at.normal) * at.normal;
@@ -63,7 +63,7 @@ pub(super) fn highlights(finish: &Finish, at: &Incidence, pigment: Rgb) -> Rgb {
 }
 
 /// Power of the cosine for diffuse light.
-pub(super) fn brilliance(finish: &Finish, cosine: f64) -> f32 {
+pub(in crate::render) fn brilliance(finish: &Finish, cosine: f64) -> f32 {
     (if finish.brilliance == 1.0 { cosine } else { cosine.powf(finish.brilliance) }) as f32
 }
 
@@ -71,7 +71,14 @@ pub(super) fn brilliance(finish: &Finish, cosine: f64) -> f32 {
 const FILM_OCTAVES: Octaves = Octaves { count: 5, lambda: 2.0, omega: 0.5 };
 
 /// Thin film interference; `point` is where on the surface, in world space.
-pub(super) fn irid(finish: &Finish, wavelength: Rgb, point: DVec3, light: DVec3, normal: DVec3, view: DVec3) -> Rgb {
+pub(in crate::render) fn irid(
+    finish: &Finish,
+    wavelength: Rgb,
+    point: DVec3,
+    light: DVec3,
+    normal: DVec3,
+    view: DVec3,
+) -> Rgb {
     let thickness = finish.irid_turbulence.map_or(finish.irid_thickness, |(amount, generator)| {
         finish.irid_thickness * (1.0 + amount * (2.0 * turbulence(generator, FILM_OCTAVES, point) - 1.0))
     });
@@ -83,7 +90,7 @@ pub(super) fn irid(finish: &Finish, wavelength: Rgb, point: DVec3, light: DVec3,
 /// How much a mirroring layer mirrors at a signed cosine between the view and the normal; `None` for nothing.
 ///
 /// `relative_ior` is that of the far side over the near side.
-pub(super) fn reflectivity(
+pub(in crate::render) fn reflectivity(
     reflection: &Reflection,
     pigment: Rgb,
     cosine: f64,
@@ -103,7 +110,7 @@ pub(super) fn reflectivity(
 }
 
 /// Share of unpolarised light that a surface mirrors; 1 for total reflection.
-pub(super) fn fresnel(cosine: f64, relative_ior: f64) -> f32 {
+pub(in crate::render) fn fresnel(cosine: f64, relative_ior: f64) -> f32 {
     let q = relative_ior * relative_ior + cosine * cosine - 1.0;
     if q <= 0.0 {
         return 1.0;

@@ -1,0 +1,58 @@
+//! What a session gives back.
+
+use crate::compile::geometry::Watched;
+use crate::compiled::World;
+use crate::diag::{Diagnostic, SourceMap};
+use crate::imaging::{Metadata, Picture};
+use std::time::{Duration, Instant};
+
+/// How long each stage took, in order.
+#[derive(Clone, Debug, Default)]
+pub struct Timings(pub Vec<(&'static str, Duration)>);
+
+impl Timings {
+    /// Runs a stage and notes its time.
+    pub fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let result = work();
+        self.0.push((stage, start.elapsed()));
+        result
+    }
+
+    /// The time of a stage.
+    pub fn of(&self, stage: &str) -> Duration {
+        self.0.iter().filter(|(name, _)| *name == stage).map(|(_, time)| *time).sum()
+    }
+}
+
+/// A finished picture with all that was found out on the way.
+#[derive(Debug)]
+pub struct Outcome {
+    /// The picture, linear light.
+    pub picture: Picture,
+    /// What its file should say.
+    pub metadata: Metadata,
+    /// False if the observer stopped it: then pixels are missing.
+    pub complete: bool,
+    /// Everything worth mentioning.
+    pub warnings: Vec<Diagnostic>,
+    /// The files that were read, to show the warnings; large ones must be [restored](SourceMap::restored).
+    pub sources: SourceMap,
+    /// Time of each stage.
+    pub timings: Timings,
+}
+
+/// A scene that is ready to be rendered.
+#[derive(Debug)]
+pub struct Ready {
+    /// What rays meet.
+    pub world: World,
+    /// What may have something to say after rendering.
+    pub watched: Vec<Watched>,
+    /// Everything worth mentioning.
+    pub warnings: Vec<Diagnostic>,
+    /// The files that were read, to show the warnings; large ones must be [restored](SourceMap::restored).
+    pub sources: SourceMap,
+    /// Time of each stage.
+    pub timings: Timings,
+}

@@ -1,0 +1,107 @@
+//! What several pictures share, and the way of each through the stages.
+
+use super::{Job, Outcome, Output, Ready, Timings};
+use crate::compile::geometry::Watched;
+use crate::compile::{self, Compiled, Queries};
+use crate::compiled::World;
+use crate::compiled::camera::Camera;
+use crate::eval::{self, Evaluated, Failed, Host};
+use crate::imaging::{self, ImageError, Metadata};
+use crate::math::DVec3;
+use crate::render::{self, Observer, Options, Rendered};
+use rayon::ThreadPool;
+use std::path::Path;
+
+/// Room for deep recursion through glass, which needs more than the usual stack.
+const STACK: usize = 64 << 20;
+
+/// Threads, and what else outlives a picture.
+#[derive(Debug)]
+pub struct Session {
+    /// None where the system gives no threads: then the common ones must do.
+    pool: Option<ThreadPool>,
+}
+
+impl Session {
+    /// With so many threads; 0 for one for each core.
+    pub fn new(threads: usize) -> Self {
+        Self { pool: rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build().ok() }
+    }
+
+    /// From a scene file to a world: all that can go wrong with a scene goes wrong here.
+    ///
+    /// # Errors
+    /// What is wrong with the scene, with the files needed to show it (large ones must be
+    /// [restored](crate::diag::SourceMap::restored)).
+    pub fn compile(&self, scene: &Path, reading: &eval::Options, host: &dyn Host) -> Result<Ready, Box<Failed>> {
+        let mut timings = Timings::default();
+        // On this thread, whose heap grows in large pages.
+        let read = timings.time("read", || eval::evaluate(scene, reading, host, &Queries::default()));
+        let Evaluated { scene: description, mut warnings, mut sources } = read?;
+        sources.release_large();
+        match timings.time("compile", || self.on_all_threads(|| compile::compile(&description))) {
+            Ok(Compiled { world, warnings: more, watched }) => {
+                warnings.extend(more);
+                Ok(Ready { world, watched, warnings, sources, timings })
+            }
+            Err(errors) => {
+                warnings.extend(errors);
+                Err(Box::new(Failed { diagnostics: warnings, sources }))
+            }
+        }
+    }
+
+    /// A picture of a world, on all threads.
+    pub fn picture(&self, world: &World, options: &Options, observer: &dyn Observer) -> Rendered {
+        self.on_all_threads(|| render::render(world, options, observer))
+    }
+
+    fn on_all_threads<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        match &self.pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
+    /// From a scene file to a picture.
+    ///
+    /// # Errors
+    /// Those of [`compile`](Self::compile).
+    pub fn render(&self, job: &Job, host: &dyn Host, observer: &dyn Observer) -> Result<Outcome, Box<Failed>> {
+        let ready = self.compile(&job.scene, &job.reading, host)?;
+        let Ready { world, watched, mut warnings, sources, mut timings } = ready;
+        let rendered = timings.time("render", || self.picture(&world, &job.rendering, observer));
+        warnings.extend(watched.iter().filter_map(Watched::warning));
+        let metadata = Metadata {
+            software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
+            scene: job.scene.display().to_string(),
+            camera: describe(&world.camera),
+            rays: rendered.statistics.rays(),
+        };
+        let Rendered { picture, complete, .. } = rendered;
+        Ok(Outcome { picture, metadata, complete, warnings, sources, timings })
+    }
+
+    /// Writes a picture's files, each whole or not at all.
+    ///
+    /// # Errors
+    /// When one cannot be written; those before it are there.
+    pub fn write(&self, outcome: &mut Outcome, outputs: &[Output]) -> Result<(), ImageError> {
+        let Outcome { picture, metadata, timings, .. } = outcome;
+        timings.time("write", || {
+            outputs.iter().try_for_each(|output| imaging::save(&output.file, picture, metadata, output.encoding))
+        })
+    }
+}
+
+fn describe(camera: &Camera) -> String {
+    let vector = |v: DVec3| format!("<{}, {}, {}>", v.x, v.y, v.z);
+    format!(
+        "{} location {} direction {} right {} up {}",
+        camera.projection.name(),
+        vector(camera.location),
+        vector(camera.direction),
+        vector(camera.right),
+        vector(camera.up)
+    )
+}

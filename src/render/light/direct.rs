@@ -1,0 +1,165 @@
+//! What light sources add to a layer.
+//!
+//! Source: sections 3 to 5 of the shading facts (measured).
+
+use super::{area, visibility};
+use crate::compiled::light::{Area, Arrival, Light, is_dark};
+use crate::math::{DVec3, Rgb};
+use crate::render::random::Dimension;
+use crate::render::shade::SurfaceLayer;
+use crate::render::shade::finish::{self, Incidence};
+use crate::render::vertex::Vertex;
+use crate::render::worker::Worker;
+use smallvec::SmallVec;
+
+/// POV-Ray's cosine below which a surface is turned away from a light.
+const TURNED_AWAY: f64 = 1e-10;
+
+/// Light that arrives at one vertex, worked out once for all layers: what each of the lights that shine there gives,
+/// in their order, as far as a layer has asked.
+#[derive(Default)]
+pub(in crate::render) struct ArrivingLight {
+    entries: SmallVec<[Entry; 2]>,
+}
+
+#[derive(Clone, Copy)]
+struct Entry {
+    arrival: Arrival,
+    /// Its colour after everything in the way.
+    unblocked: Option<Rgb>,
+}
+
+/// Light that falls on a layer from one direction.
+struct Beam {
+    /// Unit direction to the light.
+    direction: DVec3,
+    /// Cosine between normal and light, not negative.
+    cosine: f64,
+    /// It falls on the far side.
+    back: bool,
+    /// The light gives highlights.
+    highlights: bool,
+    /// Number of the light.
+    light: usize,
+}
+
+/// Diffuse light and highlights from all lights that shine on a layer.
+pub(in crate::render) fn direct_light(
+    worker: &mut Worker<'_>,
+    vertex: &Vertex<'_>,
+    layer: &SurfaceLayer<'_>,
+    arriving: &mut ArrivingLight,
+) -> Rgb {
+    let world = worker.world();
+    let mut sum = Rgb::ZERO;
+    for (order, index) in world.lights_for(vertex.light_group()).enumerate() {
+        let light = &world.lights[index];
+        if arriving.entries.len() <= order {
+            let arrival = light.arrival(vertex.point(), light.location);
+            arriving.entries.push(Entry { arrival, unblocked: None });
+        }
+        let Entry { arrival, unblocked } = arriving.entries[order];
+        let sampled = light.area.as_ref().filter(|a| a.illumination && worker.options().area_lights());
+        let beam = lit_side(vertex, layer, index, light, arrival.direction);
+        if sampled.is_none() && (is_dark(arrival.color) || beam.is_none()) {
+            continue;
+        }
+        let rgb = match unblocked {
+            Some(known) => known,
+            None => {
+                let found = visibility::light_through(worker, vertex, index, &arrival, sampled.is_some());
+                arriving.entries[order].unblocked = Some(found);
+                found
+            }
+        };
+        if is_dark(rgb) {
+            continue;
+        }
+        let answer = match (sampled, beam) {
+            (Some(area), _) => area_answer(vertex, layer, (index, light, area), rgb),
+            (None, Some(beam)) => answer(vertex, layer, &beam) * rgb,
+            (None, None) => Rgb::ZERO,
+        };
+        sum += answer * film(world.settings.irid_wavelength, vertex, layer, arrival.direction);
+    }
+    sum
+}
+
+/// What a thin film makes of light from a direction; 1 without one.
+fn film(wavelength: Rgb, vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, direction: DVec3) -> Rgb {
+    if layer.finish.irid_amount == 0.0 {
+        return Rgb::ONE;
+    }
+    finish::irid(layer.finish, wavelength, vertex.point(), direction, layer.normal, vertex.view())
+}
+
+/// What a layer makes of white light from one direction.
+fn answer(vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, beam: &Beam) -> Rgb {
+    let finish = layer.finish;
+    let mut answer = Rgb::ZERO;
+    let amount = if beam.back { finish.diffuse_back } else { finish.diffuse };
+    if amount > 0.0 {
+        let mut diffuse = amount * layer.opacity * finish::brilliance(finish, beam.cosine);
+        if finish.crand != 0.0 {
+            diffuse -= finish.crand * layer.random.unit(Dimension::Crand { light: beam.light }) as f32;
+        }
+        answer += diffuse * layer.albedo;
+    }
+    if beam.highlights {
+        let at = Incidence { view: vertex.view(), light: beam.direction, normal: layer.normal, cosine: beam.cosine };
+        answer += finish::highlights(finish, &at, layer.albedo);
+    }
+    answer
+}
+
+/// Each sample of an area light shades by itself; all share one shadow, as in POV-Ray.
+fn area_answer(
+    vertex: &Vertex<'_>,
+    layer: &SurfaceLayer<'_>,
+    (index, light, area): (usize, &Light, &Area),
+    unblocked: Rgb,
+) -> Rgb {
+    let point = vertex.point();
+    let axes = area.axes((light.location - point).normalize_or(DVec3::Z));
+    let mut sum = Rgb::ZERO;
+    for j in 0..area.n2 {
+        for i in 0..area.n1 {
+            let (a, b) = area::position(area, index, [i, j], vertex.path.random);
+            let arrival = light.arrival(point, light.location + area.offset(a, b, axes));
+            if is_dark(arrival.color) {
+                continue;
+            }
+            if let Some(beam) = lit_side(vertex, layer, index, light, arrival.direction) {
+                // What came through carries the light's colour; what is left is cone and fade.
+                let factor = ratio(arrival.color, light.color);
+                let rgb = unblocked * factor / (area.n1 * area.n2) as f32;
+                sum += answer(vertex, layer, &beam) * rgb;
+            }
+        }
+    }
+    sum
+}
+
+/// Common factor of two colours that differ only in brightness.
+fn ratio(color: Rgb, of: Rgb) -> f32 {
+    let largest = of.abs().max_position();
+    color[largest] / of[largest]
+}
+
+/// How light from a direction falls on a layer; `None` if the surface stays dark.
+fn lit_side(
+    vertex: &Vertex<'_>,
+    layer: &SurfaceLayer<'_>,
+    index: usize,
+    light: &Light,
+    direction: DVec3,
+) -> Option<Beam> {
+    let cosine = direction.dot(layer.normal);
+    let front = cosine >= TURNED_AWAY || vertex.surface.double_illuminate;
+    let back = !front && layer.finish.diffuse_back != 0.0;
+    if !front && !back && !light.two_sided {
+        return None;
+    }
+    let highlights = !back && !light.shadowless;
+    Some(Beam { direction, cosine: cosine.abs(), back, highlights, light: index })
+}

@@ -1,0 +1,7 @@
+//! Light sources as a vertex meets them: what is in the way, and what a layer makes of what arrives.
+
+mod area;
+mod direct;
+mod visibility;
+
+pub(super) use direct::{ArrivingLight, direct_light};

@@ -1,0 +1,32 @@
+//! Counts of what was done.
+
+/// Rays by kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Camera rays.
+    pub camera_rays: u64,
+    /// Rays through surfaces.
+    pub transmitted_rays: u64,
+    /// Mirrored rays.
+    pub reflected_rays: u64,
+    /// Rays towards lights, each piece between transparent surfaces.
+    pub shadow_rays: u64,
+}
+
+impl Statistics {
+    /// All rays.
+    pub fn rays(&self) -> u64 {
+        self.camera_rays + self.transmitted_rays + self.reflected_rays + self.shadow_rays
+    }
+
+    /// Sums of both.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            camera_rays: self.camera_rays + other.camera_rays,
+            transmitted_rays: self.transmitted_rays + other.transmitted_rays,
+            reflected_rays: self.reflected_rays + other.reflected_rays,
+            shadow_rays: self.shadow_rays + other.shadow_rays,
+        }
+    }
+}

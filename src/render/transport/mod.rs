@@ -1,0 +1,166 @@
+//! The recursion of Whitted's paper: what a ray meets is lit, and its mirrored and refracted rays are followed in turn.
+//!
+//! Source: T. Whitted, "An Improved Illumination Model for Shaded Display", Communications of the ACM 23 (6), 1980;
+//! the order of terms is that of section 2 of the shading facts (measured).
+
+mod dispersion;
+mod secondary;
+mod surface;
+
+use super::environment::{self, Onlooker};
+use super::film::{Gather, Term};
+use super::light::ArrivingLight;
+use super::medium::airlight;
+use super::path::Path;
+use super::radiance::Radiance;
+use super::random::Branch;
+use super::shade::{Lane, Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
+use super::statistics::Statistics;
+use super::vertex::Vertex;
+use super::worker::Worker;
+use crate::compiled::geometry::{Hit, Surface};
+use crate::compiled::texture::Frame;
+use crate::math::Rgb;
+use secondary::{Boundary, Refraction, mirrored};
+use surface::{Mirror, Shaded, shade};
+
+/// POV-Ray's length of a ray that meets nothing, for fog.
+const MISS_LENGTH: f64 = 2e10;
+
+/// What is known already of a hit with a single texture.
+#[derive(Clone, Copy)]
+pub(super) struct Known<'p> {
+    pub(super) space: &'p TextureSpace<'p>,
+    pub(super) lane: Option<Lane<'p>>,
+}
+
+/// The light that comes along a ray, towards its origin.
+pub(super) fn radiance<G: Gather>(worker: &mut Worker<'_>, path: &Path) -> G {
+    if path.weight < worker.world().settings.adc_bailout {
+        return G::default();
+    }
+    match worker.intersect(path) {
+        Some(hit) => {
+            let surface = worker.world().geometry.surface(&path.ray, &hit);
+            reflected(worker, path, &hit, &surface, None)
+        }
+        None => {
+            let onlooker = Onlooker::of(path, worker.options());
+            escaped(worker, path, environment::radiance(&worker.world().atmosphere, path.ray.direction, onlooker))
+        }
+    }
+}
+
+/// The light along a ray that meets nothing but a sky.
+pub(super) fn escaped<G: Gather>(worker: &Worker<'_>, path: &Path, sky: Radiance) -> G {
+    let mut found = G::default();
+    found.add(Term::Background, sky);
+    through_air(worker, path, MISS_LENGTH, &mut found);
+    found
+}
+
+/// The light that what a ray met sends back along it.
+#[inline(always)]
+pub(super) fn reflected<G: Gather>(
+    worker: &mut Worker<'_>,
+    path: &Path,
+    hit: &Hit,
+    surface: &Surface,
+    known: Option<Known<'_>>,
+) -> G {
+    let world = worker.world();
+    let vertex = Vertex::new(path, hit.t, surface);
+    let mut lookup = Lookup::new(surface, path.ray.direction, known.and_then(|known| known.lane));
+    let mut arriving = ArrivingLight::default();
+    let mut found = G::default();
+    for (i, seen) in surface.textures.iter().enumerate() {
+        if seen.weight < world.settings.adc_bailout {
+            continue;
+        }
+        let now;
+        let TextureSpace { point, texture_from_world } = match known {
+            Some(known) => known.space,
+            None => {
+                now = texture_space(world, surface, hit, seen);
+                &now
+            }
+        };
+        let mut frame = Frame::new(texture_from_world.as_deref());
+        let at = TexturePoint { point: *point, plain: true, random: path.random.branch(Branch::Texture(i)) };
+        let mut of_layers =
+            |layers: Layers<'_>, lookup: &mut Lookup<'_>| layered(worker, &vertex, &layers, lookup, &mut arriving);
+        let of_texture: G = resolve(world.texture(seen.texture), at, &mut frame, &mut lookup, &mut of_layers);
+        found.add_scaled(&of_texture, seen.weight);
+    }
+    found.note_hit(surface, hit.t, vertex.facing);
+    through_air(worker, path, hit.t, &mut found);
+    found
+}
+
+/// The light from the layers of one texture: own and direct light, then what comes through, then what is mirrored.
+fn layered<G: Gather>(
+    worker: &mut Worker<'_>,
+    vertex: &Vertex<'_>,
+    layers: &Layers<'_>,
+    lookup: &mut Lookup<'_>,
+    arriving: &mut ArrivingLight,
+) -> G {
+    let Shaded { mut found, beyond, mirrors } = shade::<G>(worker, vertex, layers, lookup, arriving);
+    let mut total_reflection = None;
+    if let Some(boundary) = &beyond {
+        let refraction = Refraction::new(worker.world(), vertex, boundary);
+        let light = transmitted(worker, vertex, boundary, &refraction);
+        let is_total = refraction.is_total_reflection();
+        found.add(if is_total { Term::Reflection } else { Term::Refraction }, light);
+        total_reflection = is_total.then_some(boundary.normal);
+    }
+    for mirror in mirrors.iter().filter(|mirror| !total_reflection.is_some_and(|normal| mirror.has_normal(normal))) {
+        found.add(Term::Reflection, Radiance::opaque(mirror_image(worker, vertex, mirror)));
+    }
+    found
+}
+
+/// The light that comes through a surface.
+fn transmitted(worker: &mut Worker<'_>, vertex: &Vertex<'_>, boundary: &Boundary<'_>, rays: &Refraction) -> Radiance {
+    let mut sum = Radiance::BLACK;
+    for i in 0..rays.n_rays() {
+        let ray = rays.ray(vertex, boundary, i);
+        let found = followed(worker, vertex, &ray.path, |n| &mut n.transmitted_rays);
+        sum.rgb += ray.hue * found.rgb;
+        sum.transparency += found.transparency;
+    }
+    rays.weighted(worker.world(), vertex, boundary, sum)
+}
+
+/// What one layer mirrors.
+fn mirror_image(worker: &mut Worker<'_>, vertex: &Vertex<'_>, mirror: &Mirror<'_>) -> Rgb {
+    let path = mirrored(vertex, mirror.normal, mirror.weight(vertex), mirror.random);
+    let light = followed(worker, vertex, &path, |n| &mut n.reflected_rays).rgb;
+    mirror.tinted(worker, vertex, path.ray.direction, light)
+}
+
+/// The light along a ray that goes on from a vertex, as far as rays go on; `count` says where it is counted.
+fn followed(
+    worker: &mut Worker<'_>,
+    vertex: &Vertex<'_>,
+    path: &Path,
+    count: fn(&mut Statistics) -> &mut u64,
+) -> Radiance {
+    let settings = &worker.world().settings;
+    if vertex.path.level >= settings.max_trace_level || path.weight < settings.adc_bailout {
+        return Radiance::BLACK;
+    }
+    *count(&mut worker.statistics) += 1;
+    radiance(worker, path)
+}
+
+/// Carries what was found at the end of a ray through what is in the air.
+#[inline(always)]
+fn through_air<G: Gather>(worker: &Worker<'_>, path: &Path, length: f64, found: &mut G) {
+    if worker.options().atmosphere()
+        && path.interiors.are_hollow()
+        && let Some(air) = airlight(worker.world(), &path.ray, length, path.random)
+    {
+        found.pass(&air);
+    }
+}

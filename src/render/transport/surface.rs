@@ -1,0 +1,138 @@
+//! What the layers of a texture do with light: their own and direct light, and what is left for rays that go on.
+//!
+//! Source: sections 2 and 6 of the shading facts (measured).
+
+use super::secondary::Boundary;
+use crate::math::{DVec3, Rgb, gray};
+use crate::render::film::{Gather, Term};
+use crate::render::light::{ArrivingLight, direct_light};
+use crate::render::medium::inside_of;
+use crate::render::radiance::Radiance;
+use crate::render::random::{Branch, Random};
+use crate::render::shade::finish::{self, Reflectivity};
+use crate::render::shade::{Layers, Lookup, SurfaceLayer, opacity};
+use crate::render::vertex::Vertex;
+use crate::render::worker::Worker;
+use smallvec::SmallVec;
+
+/// Layers after everything that needs no further ray.
+pub(super) struct Shaded<'t, G> {
+    /// Own and direct light.
+    pub(super) found: G,
+    /// What light from the far side crosses, if any comes through.
+    pub(super) beyond: Option<Boundary<'t>>,
+    /// Layers that mirror, uppermost first.
+    pub(super) mirrors: SmallVec<[Mirror<'t>; 2]>,
+}
+
+/// A layer that mirrors.
+pub(super) struct Mirror<'t> {
+    finish: &'t crate::compiled::texture::Finish,
+    /// Unit perturbed normal.
+    pub(super) normal: DVec3,
+    reflectivity: Reflectivity,
+    /// Share of the layer in the picture: what the layers above let through.
+    visibility: f32,
+    /// Random choices of the mirrored ray.
+    pub(super) random: Random,
+}
+
+/// What part of a layer counts, at most all of it.
+fn share(filter: Rgb) -> f32 {
+    gray(filter).abs().min(1.0)
+}
+
+/// Goes through layers from the top.
+pub(super) fn shade<'t, G: Gather>(
+    worker: &mut Worker<'_>,
+    vertex: &Vertex<'_>,
+    layers: &Layers<'t>,
+    lookup: &mut Lookup<'_>,
+    arriving: &mut ArrivingLight,
+) -> Shaded<'t, G> {
+    let (world, options) = (worker.world(), worker.options());
+    let bailout = world.settings.adc_bailout;
+    let mut shaded = Shaded { found: G::default(), beyond: None, mirrors: SmallVec::new() };
+    let mut filter = Rgb::ONE;
+    let mut albedo = Rgb::ZERO;
+    let mut top_normal = vertex.facing;
+    for (depth, layer) in layers.iter().enumerate() {
+        if share(filter) <= bailout {
+            break;
+        }
+        let normal = layer.normal(lookup, options);
+        if depth == 0 {
+            top_normal = normal;
+        }
+        let pigment = layer.color(lookup, options);
+        let color = pigment.unwrap_or_default();
+        if options.flat() {
+            shaded.found.add(Term::Emission, Radiance::opaque(color.rgb));
+            shaded.found.note_shading(normal, color.rgb);
+            return shaded;
+        }
+        let finish = layer.finish();
+        let relative_ior = || {
+            let legacy = layers.legacy_finish().and_then(|finish| finish.ior);
+            vertex.interiors().relative_ior(&inside_of(world, vertex.surface, legacy))
+        };
+        let mirrors =
+            |reflection| finish::reflectivity(reflection, color.rgb, -vertex.view().dot(normal), relative_ior);
+        let reflectivity = finish.reflection.as_ref().and_then(mirrors);
+        if let Some(reflectivity) = reflectivity.filter(|_| options.reflection_and_normals()) {
+            let random = layers.random().branch(Branch::Reflection(depth));
+            shaded.mirrors.push(Mirror { finish, normal, reflectivity, visibility: share(filter), random });
+        }
+        let random = layers.random().branch(Branch::Layer(depth));
+        let lit = SurfaceLayer { finish, normal, albedo: color.rgb, opacity: opacity(world, &color), random };
+        let emission = color.rgb * finish.own_light * lit.opacity;
+        let direct = if finish.uses_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
+        shaded.found.add_own(filter, emission, direct);
+        albedo += filter * color.rgb * lit.opacity;
+        if let Some(color) = pigment {
+            filter *= color.transmittance();
+            if finish.conserve_energy {
+                let reflected = reflectivity.map_or(Rgb::ZERO, |r| r.tint);
+                filter *= (Rgb::ONE - reflected).min(Rgb::ONE);
+            }
+        }
+    }
+    shaded.found.note_shading(top_normal, albedo);
+    if share(filter) > bailout && options.refraction() {
+        shaded.beyond = Some(Boundary {
+            normal: top_normal,
+            filter,
+            legacy: layers.legacy_finish(),
+            top: layers.top_finish(),
+            random: layers.random(),
+        });
+    }
+    shaded
+}
+
+impl Mirror<'_> {
+    /// Whether it mirrors about a normal.
+    pub(super) fn has_normal(&self, normal: DVec3) -> bool {
+        // POV-Ray's own limit for normals that agree.
+        (self.normal - normal).abs().max_element() < 1e-10
+    }
+
+    /// How much the mirrored ray counts.
+    pub(super) fn weight(&self, vertex: &Vertex<'_>) -> f32 {
+        vertex.path.weight * self.visibility * self.reflectivity.importance
+    }
+
+    /// Light from the mirrored direction as the layer sends it back.
+    pub(super) fn tinted(&self, worker: &Worker<'_>, vertex: &Vertex<'_>, direction: DVec3, mut light: Rgb) -> Rgb {
+        if self.finish.irid_amount != 0.0 {
+            let wavelength = worker.world().settings.irid_wavelength;
+            light *= finish::irid(self.finish, wavelength, vertex.point(), direction, self.normal, vertex.view());
+        }
+        let exponent = self.reflectivity.exponent;
+        if exponent != 1.0 {
+            let power = |v: f32| v.signum() * v.abs().powf(1.0 / exponent);
+            light = Rgb::new(power(light.x), power(light.y), power(light.z));
+        }
+        light * self.reflectivity.tint
+    }
+}
