@@ -10,6 +10,11 @@ pub enum Uv {
     At(DVec2),
     /// Longitude and latitude of a direction seen from the middle of a sphere, any length.
     Around(DVec3),
+    /// Longitude of a direction in the xz plane, any length; the other coordinate is known.
+    Turned(DVec2, f64),
+    /// On a torus around the y axis: the direction in the xz plane, and that from the ring to the point (outward, up),
+    /// any lengths.
+    Ring(DVec2, DVec2),
 }
 
 impl Default for Uv {
@@ -24,6 +29,12 @@ impl Uv {
         match self {
             Self::At(uv) => uv,
             Self::Around(direction) => spherical_uv(direction.normalize_or(DVec3::X)),
+            Self::Turned(outward, v) => {
+                DVec2::new(spherical_uv(DVec3::new(outward.x, 0.0, outward.y).normalize_or(DVec3::X)).x, v)
+            }
+            Self::Ring(around, across) => {
+                DVec2::new(0.5 - around.y.atan2(around.x) / TAU, 0.5 + across.y.atan2(across.x) / TAU)
+            }
         }
     }
 

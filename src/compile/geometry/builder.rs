@@ -8,12 +8,13 @@ use super::labels::Labeler;
 use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
 use super::quadric_reach::within;
+use super::room::{extent, gap};
 use crate::compiled::geometry::{
-    Geometry, Group, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, Members, MeshTree, Node, NodeKind, ObjectId,
-    Operation, Parts, Primitive, Shape as Compiled, TextureId, padded,
+    Cuboid, Geometry, Group, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, Members, MeshTree, Node, NodeKind, ObjectId,
+    Operation, Parts, Place, Primitive, Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
-use crate::math::{Bounds, DVec3};
+use crate::math::Bounds;
 use crate::scene::{CsgOperation, Interior, Object, Shape, Texture};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -168,9 +169,55 @@ impl<'a> Builder<'a> {
         let id = self.labeler.object_id();
         let root = self.geometry.nodes.len() as u32;
         if self.node(object, around, id, true).is_some() {
+            self.screen(root, object, around);
+            self.link(root);
             let node = &self.geometry.nodes[root as usize];
             if !node.skips.skips_all() && !node.bounds.is_empty() {
                 items.push(Item { kind: ItemKind::Solid(root), skips: node.skips }, &node.bounds);
+            }
+        }
+    }
+
+    /// Leaves the rays that miss POV-Ray's box of a solid with nothing, where that box may be too small: a height field
+    /// is solid below its own.
+    fn screen(&mut self, root: u32, object: &Object, around: &Context) {
+        let Geometry { nodes, primitives, .. } = &mut self.geometry;
+        let is_field = |node: &Node| {
+            let NodeKind::Primitive(p) = node.kind else { return false };
+            matches!(primitives[p as usize].shape, Compiled::HeightField(_))
+        };
+        if !nodes[root as usize..].iter().any(is_field) {
+            return;
+        }
+        let screen = padded(around.group_from_parent.bounds(&super::extent::extent(object)));
+        if !screen.is_finite() {
+            return;
+        }
+        primitives.push(Primitive {
+            shape: Compiled::Cuboid(Cuboid { min: screen.min, max: screen.max }),
+            group_from_local: None,
+            inverse: false,
+            uv_from_group: None,
+            look: nodes[root as usize].look,
+        });
+        let kind = NodeKind::Primitive(primitives.len() as u32 - 1);
+        nodes.push(Node { kind, bounds: screen, extent: screen, ..Node::placeholder() });
+        let bound = nodes.len() as u32 - 1;
+        let bounded_by = &mut nodes[root as usize].bounded_by;
+        *bounded_by = bounded_by.iter().copied().chain([bound]).collect();
+    }
+
+    /// Tells the nodes of a solid what they are parts of.
+    fn link(&mut self, root: u32) {
+        // What is around a node stands before it.
+        for index in root..self.geometry.nodes.len() as u32 {
+            let (known, inner) = self.geometry.nodes.split_at_mut(index as usize + 1);
+            let Some(node) = known.last() else { return };
+            let NodeKind::Csg { children, .. } = &node.kind else { continue };
+            for (position, child) in (0..).zip(children) {
+                let child = &mut inner[(child - index) as usize - 1];
+                child.around = Some(Place { node: index, position });
+                child.is_reversed = node.is_reversed != node.reverses();
             }
         }
     }
@@ -276,15 +323,6 @@ impl<'a> Builder<'a> {
             node.bounds = node.bounds.intersection(&clip.extent);
             node.extent = node.extent.intersection(&clip.extent);
             node.gap = node.gap.union(&clip.gap);
-            // A height field is solid below its box, but POV-Ray looks at nothing clipped by it for rays that
-            // miss the box.
-            if let NodeKind::Primitive(p) = clip.kind
-                && let primitive = &self.geometry.primitives[p as usize]
-                && matches!(primitive.shape, Compiled::HeightField(_))
-                && !primitive.inverse
-            {
-                node.bounds = node.bounds.intersection(&primitive.bounds());
-            }
         }
         if !node.clips.is_empty()
             && let NodeKind::Primitive(p) = node.kind
@@ -293,6 +331,7 @@ impl<'a> Builder<'a> {
             node.bounds = within(primitive, &node.bounds, true);
             node.extent = within(primitive, &node.extent, false);
         }
+        super::half_spaces::tighten(&self.geometry, &mut node);
         if is_root && let Some(shrunken) = super::extent::shrunken(object) {
             let place = &around.group_from_parent;
             node.bounds = node.bounds.intersection(&padded(place.bounds(&shrunken)));
@@ -326,10 +365,10 @@ impl<'a> Builder<'a> {
         node: &mut Node,
     ) {
         let compiled = match (operation, inside.inverse) {
-            (CsgOperation::Union, false) => Operation::Union,
-            (CsgOperation::Merge, false) | (CsgOperation::Intersection | CsgOperation::Difference, true) => {
-                Operation::Merge
-            }
+            (CsgOperation::Union, false) if !inside.turned => Operation::Union,
+            // A union that was turned inside out and back has become a merge.
+            (CsgOperation::Union | CsgOperation::Merge, false)
+            | (CsgOperation::Intersection | CsgOperation::Difference, true) => Operation::Merge,
             _ => Operation::Intersection,
         };
         let mut around = inside.clone();
@@ -339,7 +378,9 @@ impl<'a> Builder<'a> {
         }
         let mut built = Vec::new();
         for (i, child) in children.iter().enumerate() {
-            around.inverse = inside.inverse != (operation == CsgOperation::Difference && i > 0);
+            let is_cut = operation == CsgOperation::Difference && i > 0;
+            around.inverse = inside.inverse != is_cut;
+            around.turned = inside.turned || is_cut;
             let root = inside.cutaway_root;
             // Deeper intersections look for textures again.
             if matches!(&child.shape, Shape::Csg { operation, .. } if *operation as u8 >= CsgOperation::Intersection as u8)
@@ -434,64 +475,4 @@ pub(super) fn is_patch(shape: &Shape) -> bool {
         Shape::Mesh(mesh) => mesh.inside_vector.is_none(),
         _ => false,
     }
-}
-
-/// Around everything outside a finite inverted primitive.
-fn gap(primitive: &Primitive) -> Bounds {
-    let hole = inner(primitive);
-    if !primitive.inverse || !hole.is_finite() {
-        return Bounds::INFINITE;
-    }
-    // Inside tests have thresholds of their own; a hundredth is far beyond them and costs little.
-    let margin = hole.size() * 0.01;
-    Bounds { min: hole.min - margin, max: hole.max + margin }
-}
-
-/// Around everything inside a primitive.
-fn extent(primitive: &Primitive) -> Bounds {
-    if primitive.inverse { Bounds::INFINITE } else { inner(primitive) }
-}
-
-/// Around everything inside a primitive, were it not inverted.
-fn inner(primitive: &Primitive) -> Bounds {
-    match &primitive.shape {
-        Compiled::Plane(plane) => {
-            // A plane along the axes bounds a half space.
-            let mut b = Bounds::INFINITE;
-            for axis in 0..3 {
-                if plane.normal.abs() == DVec3::AXES[axis] {
-                    let side = if plane.normal[axis] > 0.0 { &mut b.max } else { &mut b.min };
-                    let slack = plane.distance.abs() * crate::math::gamma(32);
-                    side[axis] = plane.distance * plane.normal[axis] + slack * plane.normal[axis];
-                }
-            }
-            b
-        }
-        Compiled::Disc(_)
-        | Compiled::Triangle(_)
-        | Compiled::SmoothTriangle(_)
-        | Compiled::Polygon(_)
-        | Compiled::Parametric(_) => Bounds::INFINITE,
-        // A height field is solid below its box, too.
-        Compiled::HeightField(_) => below(primitive),
-        Compiled::Mesh(mesh) if mesh.inside_vector.is_none() => Bounds::INFINITE,
-        _ => primitive.bounds(),
-    }
-}
-
-/// Around everything at and below a primitive's box along its own y axis; a box only where that axis
-/// stays a coordinate axis.
-fn below(primitive: &Primitive) -> Bounds {
-    let mut b = primitive.bounds();
-    let down = primitive.group_from_local.as_ref().map_or(DVec3::NEG_Y, |place| place.vector(DVec3::NEG_Y));
-    let axis = down.abs().max_position();
-    if down.abs().element_sum() != down[axis].abs() {
-        return Bounds::INFINITE;
-    }
-    if down[axis] < 0.0 {
-        b.min[axis] = f64::NEG_INFINITY;
-    } else {
-        b.max[axis] = f64::INFINITY;
-    }
-    b
 }

@@ -93,7 +93,9 @@ fn combined(operation: CsgOperation, children: &[Arc<Object>], known: &mut Known
         }
         CsgOperation::Intersection | CsgOperation::Difference => {
             let cut = |i: usize| operation == CsgOperation::Difference && i > 0;
-            let limits = children.iter().enumerate().map(|(i, child)| as_limit(child, cut(i), known));
+            // A height field is solid below its box, but only where it is a child itself does POV-Ray think of that.
+            let bounded = children.iter().enumerate().filter(|(_, c)| !matches!(c.shape, Shape::HeightField(_)));
+            let limits = bounded.map(|(i, child)| as_limit(child, cut(i), known));
             limits.fold(Bounds::INFINITE, |sum, b| sum.intersection(&b))
         }
     };
@@ -314,5 +316,11 @@ mod tests {
         check("sphere { 0, 1 bounded_by { box { -.5, .5 } } }", [-0.5; 3], [0.5; 3]);
         check("sphere { 0, 1 clipped_by { box { -.5, 2 } } }", [-1.0; 3], [1.0; 3]);
         check("plane { y, 0 clipped_by { box { -1, 1 } } }", [-1.0; 3], [1.0; 3]);
+        let field = "height_field { function 5, 5 { x * .5 } water_level .2 scale 2 }";
+        let (low, high) = ([0.0, 0.399999976, 0.0], [2.0, 0.999969542, 2.0]);
+        check(&format!("intersection {{ {field} box {{ -1, 1 }} }}"), [-1.0; 3], [1.0; 3]);
+        check(&format!("difference {{ {field} box {{ -1, 1 }} }}"), all.map(|v| -v), all);
+        check(&format!("difference {{ union {{ object {{ {field} }} }} box {{ -1, 1 }} }}"), low, high);
+        check(&format!("box {{ -9, 9 clipped_by {{ {field} }} }}"), low, high);
     }
 }

@@ -17,6 +17,8 @@ pub(super) struct Context {
     pub(super) group_from_parent: Transform,
     /// An odd number of inversions so far.
     pub(super) inverse: bool,
+    /// Any inversion so far.
+    pub(super) turned: bool,
     pub(super) texture: Option<u32>,
     pub(super) interior_texture: Option<u32>,
     /// What a leaf without any texture gets; `None` inside shared groups.
@@ -40,6 +42,7 @@ impl Context {
         Self {
             group_from_parent: Transform::IDENTITY,
             inverse: false,
+            turned: false,
             texture: None,
             interior_texture: None,
             default_texture: None,
@@ -97,6 +100,7 @@ impl Builder<'_> {
         Context {
             group_from_parent: object.place.then(place),
             inverse: around.inverse != flags.inverse,
+            turned: around.turned || flags.inverse,
             texture: texture.or(around.texture),
             interior_texture: interior_texture.or(around.interior_texture),
             interior: interior.or(around.interior),

@@ -5,6 +5,7 @@ mod census;
 mod copies;
 mod extent;
 mod freeform;
+mod half_spaces;
 mod height_field;
 mod implicit;
 mod labels;
@@ -13,6 +14,7 @@ mod looks;
 mod patch;
 mod primitive;
 mod quadric_reach;
+mod room;
 mod sweep;
 #[cfg(test)]
 mod tests;

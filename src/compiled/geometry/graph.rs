@@ -208,9 +208,27 @@ pub(crate) struct Node {
     pub(crate) skips: Skips,
     /// Of the solid itself, at its root.
     pub(crate) look: u32,
+    /// The node that this is a child of; `None` for roots, clips and bounds.
+    pub(crate) around: Option<Place>,
+    /// Crossings are taken in reverse order an odd number of times on their way from here to the root.
+    pub(crate) is_reversed: bool,
+}
+
+/// A child's place in a node.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    pub(crate) node: u32,
+    /// Among the node's children.
+    pub(crate) position: u32,
 }
 
 impl Node {
+    /// Whether crossings of a child are taken in reverse order.
+    pub(crate) fn reverses(&self) -> bool {
+        let filters = matches!(&self.kind, NodeKind::Csg { operation, .. } if *operation != Operation::Union);
+        filters || !self.clips.is_empty()
+    }
+
     /// A union of nothing.
     pub(crate) fn placeholder() -> Self {
         Self {
@@ -228,6 +246,8 @@ impl Node {
             bounded_by: Box::default(),
             skips: Skips::default(),
             look: 0,
+            around: None,
+            is_reversed: false,
         }
     }
 }

@@ -29,14 +29,15 @@ pub use solid::Scratch;
 
 // What `compile` fills in.
 pub(crate) use graph::{
-    Group, Instance, Item, ItemKind, Look, Members, Node, NodeKind, Operation, Placement, Primitive, Skips, padded,
+    Group, Instance, Item, ItemKind, Look, Members, Node, NodeKind, Operation, Place, Placement, Primitive, Skips,
+    padded,
 };
 pub(crate) use parts::Parts;
 pub(crate) use shape::{
     Blob, BlobPart, Cone, Container, Core, Cuboid, Disc, HeightField, HeightGrid, Isosurface, Julia, JuliaFunction,
-    Lathe, Mesh, MeshData, MeshTree, Outline, Ovus, Parametric, Plane, Polygon, Polynomial, Prism, Quadric,
-    SearchNotes, Segment, Shape, SmoothTriangle, Sor, SorSegment, Sphere, SphereSweep, Superellipsoid, SweepSegment,
-    Torus, Triangle,
+    Lathe, Mesh, MeshData, MeshTree, Outline, Ovus, PLANE_BOUNDARY, Parametric, Plane, Polygon, Polynomial, Prism,
+    Quadric, SearchNotes, Segment, Shape, SmoothTriangle, Sor, SorSegment, Sphere, SphereSweep, Superellipsoid,
+    SweepSegment, Torus, Triangle,
 };
 
 use crate::math::{Bounds, DVec3, Range, Ray};

@@ -32,9 +32,9 @@ impl Parts {
             .then(|| Box::new(Self { surfaces: Tree::new(surfaces), says: Tree::new(says) }))
     }
 
-    /// Children whose surfaces the ray may meet, in their order.
-    pub(super) fn met_by(&self, ray: &Ray, range: Range) -> Positions {
-        self.surfaces.met_by(ray, range)
+    /// Visits the children whose surfaces the ray may meet, near ones first; `visit` says where the search ends.
+    pub(super) fn visit_met(&self, ray: &Ray, range: Range, visit: impl FnMut(u32) -> f64) {
+        self.surfaces.visit_met(ray, range, visit);
     }
 
     /// Whether a test holds for every child that has a say about a point.
@@ -69,15 +69,31 @@ impl Tree {
 
     /// Boxes that the ray may meet, in their order.
     pub(super) fn met_by(&self, ray: &Ray, range: Range) -> Positions {
-        let mut met: Positions = self.unbounded.iter().copied().collect();
-        if SlabRay::new(ray).may_meet(&self.hull, range) {
-            let _: ControlFlow<()> = self.bvh.walk(ray, range, |run, _| {
-                met.extend_from_slice(&self.order[run]);
-                ControlFlow::Continue(())
-            });
-        }
+        let mut met = Positions::new();
+        self.visit_met(ray, range, |i| {
+            met.push(i);
+            range.max
+        });
         met.sort_unstable();
         met
+    }
+
+    /// Visits boxes that the ray may meet, near ones first; `visit` says where the search ends.
+    fn visit_met(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> f64) {
+        let mut end = range.max;
+        for i in &self.unbounded {
+            end = end.min(visit(*i));
+        }
+        let range = Range { max: end, ..range };
+        if !SlabRay::new(ray).may_meet(&self.hull, range) {
+            return;
+        }
+        let _: ControlFlow<()> = self.bvh.walk(ray, range, |run, t_max| {
+            for i in &self.order[run] {
+                *t_max = t_max.min(visit(*i));
+            }
+            ControlFlow::Continue(())
+        });
     }
 
     /// Boxes that hold the point, in their order.

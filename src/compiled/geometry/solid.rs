@@ -1,9 +1,11 @@
 //! Constructive solid geometry: which crossings survive, and what is inside.
 //!
-//! A node hands up all its crossings within a range. A crossing survives a merge if it is in no
-//! other child, an intersection if it is in every other child, and clips if it is in all of
-//! them; this is decided at the crossing's own point by each child's inside test, never by
-//! sorting intervals, as POV-Ray does (shape facts, section 10.2).
+//! A crossing survives a merge if it is in no other child, an intersection if it is in every other
+//! child, and clips if it is in all of them; this is decided at the crossing's own point by each
+//! child's inside test, never by sorting intervals, as POV-Ray does (shape facts, section 10.2).
+//!
+//! Asking the others costs more than finding a crossing. So only a crossing nearer than the nearest
+//! survivor so far is asked about, and nothing behind that survivor is looked at.
 
 use super::Geometry;
 use super::graph::{Item, Node, NodeKind, Operation, Skips};
@@ -13,91 +15,205 @@ use super::slab::SlabRay;
 use super::span::Confines;
 use crate::math::{DVec3, Range, Ray};
 
-/// A crossing on its way up.
+/// A crossing of a solid's part.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing {
     pub(crate) t: f64,
     pub(crate) primitive: u32,
     pub(crate) part: u32,
+    /// The node of the primitive.
+    node: u32,
+    /// Its place among the crossings that the primitive recorded.
+    rank: u32,
 }
 
-/// Per-thread buffers, so that no ray allocates.
+/// Per-thread buffers, so that no ray allocates, and what is likely to hold again. The latter changes no answer.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    crossings: Vec<Crossing>,
     hits: ShapeHits,
     /// For each light, what last stood in its way: neighbouring points often share it. Finding it
-    /// again first saves the way through the hierarchy and changes no answer.
+    /// again first saves the way through the hierarchy.
     pub(super) blockers: Vec<Option<Item>>,
+    /// A node and the position of its child that last removed a crossing of another.
+    remover: (u32, usize),
+}
+
+/// A search for the nearest crossing of a solid that survives.
+struct Search<'a> {
+    geometry: &'a Geometry,
+    ray: &'a SlabRay<'a>,
+    kind: RayKind,
+    /// Any survivor will do.
+    any: bool,
+    best: Option<Crossing>,
+    scratch: &'a mut Scratch,
+}
+
+impl Search<'_> {
+    /// Looks through a node's crossings in a range.
+    fn node(&mut self, index: u32, range: Range, is_root: bool) {
+        let geometry = self.geometry;
+        let node = &geometry.nodes[index as usize];
+        let range = Range { max: range.max.min(self.end()), ..range };
+        // What a file says about bounds is about whole objects.
+        let may_meet = !is_root && geometry.is_quick(node) || self.ray.may_meet(&node.bounds, range);
+        if !may_meet || !self.passes_bounds(node) {
+            return;
+        }
+        // Only what is inside of all clips is left in the end.
+        let range = node.clips.iter().fold(range, |range, clip| geometry.span(*clip, self.ray, range));
+        if range.is_empty() {
+            return;
+        }
+        match &node.kind {
+            NodeKind::Primitive(primitive) => self.primitive(index, *primitive, range),
+            NodeKind::Csg { operation, children, parts, confining, .. } => {
+                let mut confines = Confines::new(range);
+                for i in confining {
+                    confines.confine(*i, geometry.span(children[*i as usize], self.ray, range));
+                }
+                if confines.leaves_nothing() {
+                    return;
+                }
+                let ray = self.ray.ray;
+                let mut child = |i: u32| {
+                    let child = children[i as usize];
+                    if let Some(range) = confines.left_to(i)
+                        && !geometry.hides(*operation, child, self.kind)
+                    {
+                        self.node(child, range, false);
+                    }
+                    self.end()
+                };
+                match parts {
+                    Some(parts) => parts.visit_met(ray, range, child),
+                    None => (0..children.len() as u32).for_each(|i| _ = child(i)),
+                }
+            }
+        }
+    }
+
+    /// Where the search ends: just behind what is as near as the nearest survivor so far.
+    fn end(&self) -> f64 {
+        match &self.best {
+            Some(_) if self.any => f64::NEG_INFINITY,
+            Some(best) => best.t.next_up(),
+            None => f64::INFINITY,
+        }
+    }
+
+    /// Looks through the crossings of one primitive.
+    fn primitive(&mut self, node: u32, index: u32, range: Range) {
+        let primitive = &self.geometry.primitives[index as usize];
+        let hits = &mut self.scratch.hits;
+        hits.clear();
+        match &primitive.group_from_local {
+            Some(place) => primitive.shape.crossings(&place.inverse_ray(self.ray.ray), range, hits),
+            None => primitive.shape.crossings(self.ray.ray, range, hits),
+        }
+        for rank in 0..self.scratch.hits.len() {
+            let hit = self.scratch.hits[rank];
+            let crossing = Crossing { t: hit.t, primitive: index, part: hit.part, node, rank: rank as u32 };
+            let is_nearer = self.best.is_none_or(|best| {
+                crossing.t < best.t || crossing.t == best.t && self.geometry.counts_before(&crossing, &best)
+            });
+            if is_nearer && self.survives(&crossing) {
+                self.best = Some(crossing);
+            }
+        }
+    }
+
+    /// Whether a crossing is left by everything around its primitive.
+    fn survives(&mut self, crossing: &Crossing) -> bool {
+        let geometry = self.geometry;
+        let point = self.ray.ray.at(crossing.t);
+        let mut node = &geometry.nodes[crossing.node as usize];
+        loop {
+            if !node.clips.iter().all(|clip| geometry.node_contains(*clip, point)) {
+                return false;
+            }
+            let Some(around) = node.around else { return true };
+            if !self.is_left_by_others(around.node, around.position as usize, point) {
+                return false;
+            }
+            node = &geometry.nodes[around.node as usize];
+        }
+    }
+
+    /// Whether the other children of a node leave a crossing of the child at `position`.
+    fn is_left_by_others(&mut self, index: u32, position: usize, point: DVec3) -> bool {
+        let geometry = self.geometry;
+        let NodeKind::Csg { operation, children, parts, .. } = &geometry.nodes[index as usize].kind else {
+            return true;
+        };
+        if *operation == Operation::Union {
+            return true;
+        }
+        let mut remover = None;
+        let mut leaves = |other: usize| {
+            let leaves = other == position || geometry.leaves(*operation, children[other], point, self.kind);
+            if !leaves {
+                remover = Some(other);
+            }
+            leaves
+        };
+        // Neighbouring crossings often lie in the same part.
+        let (node, last) = self.scratch.remover;
+        let is_left = (node != index || last >= children.len() || leaves(last))
+            && match parts {
+                Some(parts) => parts.all_at(point, leaves),
+                None => (0..children.len()).all(leaves),
+            };
+        if let Some(remover) = remover {
+            self.scratch.remover = (index, remover);
+        }
+        is_left
+    }
+
+    /// Whether the ray meets, or starts in, everything that bounds the node.
+    fn passes_bounds(&mut self, node: &Node) -> bool {
+        node.bounded_by.iter().all(|bound| {
+            self.geometry.node_contains(*bound, self.ray.ray.origin) || {
+                let kind = RayKind::Refracted;
+                let mut search = Search { kind, any: true, best: None, scratch: self.scratch, ..*self };
+                search.node(*bound, Range::FORWARD, false);
+                search.best.is_some()
+            }
+        })
+    }
 }
 
 impl Geometry {
-    /// The nearest surviving crossing of a solid; of equal ones the last recorded.
+    /// The nearest surviving crossing of a solid, or any.
     pub(super) fn solid_nearest(
         &self,
         root: u32,
         ray: &Ray,
         range: Range,
         kind: RayKind,
+        any: bool,
         scratch: &mut Scratch,
     ) -> Option<Crossing> {
-        scratch.crossings.clear();
-        self.crossings(root, &SlabRay::new(ray), range, kind, true, scratch);
-        scratch.crossings.iter().copied().reduce(|best, c| if c.t <= best.t { c } else { best })
+        let mut search = Search { geometry: self, ray: &SlabRay::new(ray), kind, any, best: None, scratch };
+        search.node(root, range, true);
+        search.best
     }
 
-    /// Appends what survives of a node's crossings, in the order in which POV-Ray records them.
-    fn crossings(
-        &self,
-        index: u32,
-        ray: &SlabRay<'_>,
-        range: Range,
-        kind: RayKind,
-        is_root: bool,
-        scratch: &mut Scratch,
-    ) {
-        let node = &self.nodes[index as usize];
-        // What a file says about bounds is about whole objects.
-        let may_meet = !is_root && self.is_quick(node) || ray.may_meet(&node.bounds, range);
-        if !may_meet || !self.passes_bounds(node, ray, scratch) {
-            return;
+    /// Whether the first of two equally near crossings of a solid is seen.
+    ///
+    /// POV-Ray shows the one recorded last. A node records its children in their order, but whatever filters
+    /// (merge, intersection, a node with clips) takes what each child delivers from the end (shape facts, section 13).
+    #[cold]
+    fn counts_before(&self, a: &Crossing, b: &Crossing) -> bool {
+        let (mut nodes, mut positions) = ([a.node, b.node], [a.rank, b.rank]);
+        // What is further in has the higher number.
+        while nodes[0] != nodes[1] {
+            let inner = usize::from(nodes[1] > nodes[0]);
+            let Some(around) = self.nodes[nodes[inner] as usize].around else { break };
+            (nodes[inner], positions[inner]) = (around.node, around.position);
         }
-        // Only what is inside of all clips is left in the end.
-        let range = node.clips.iter().fold(range, |range, clip| self.span(*clip, ray, range));
-        if range.is_empty() {
-            return;
-        }
-        let start = scratch.crossings.len();
-        let mut reverses = !node.clips.is_empty();
-        match &node.kind {
-            NodeKind::Primitive(p) => self.primitive_crossings(*p, ray.ray, range, scratch),
-            NodeKind::Csg { operation, children, parts, confining, .. } => {
-                reverses |= *operation != Operation::Union;
-                let mut confines = Confines::new(range);
-                for i in confining {
-                    confines.confine(*i, self.span(children[*i as usize], ray, range));
-                }
-                if confines.leaves_nothing() {
-                    return;
-                }
-                let mut child = |i: u32| {
-                    if let Some(range) = confines.left_to(i) {
-                        self.child_crossings(node, i as usize, ray, range, kind, scratch);
-                    }
-                };
-                match parts {
-                    Some(parts) => parts.met_by(ray.ray, range).iter().for_each(|i| child(*i)),
-                    None => (0..children.len() as u32).for_each(child),
-                }
-            }
-        }
-        if !node.clips.is_empty() {
-            let point = |c: &Crossing| ray.ray.at(c.t);
-            retain(&mut scratch.crossings, start, |c| node.clips.iter().all(|n| self.node_contains(*n, point(c))));
-        }
-        if reverses && !(is_root && scratch.crossings.len() < 2) {
-            scratch.crossings[start..].reverse();
-        }
+        let is_later = positions[0] > positions[1];
+        is_later != self.nodes[nodes[0] as usize].is_reversed
     }
 
     /// Whether a node is found as soon as its box, which holds all of the shape.
@@ -109,47 +225,6 @@ impl Geometry {
             }
             _ => false,
         }
-    }
-
-    /// Appends what a node's operation leaves of the crossings of one child.
-    fn child_crossings(
-        &self,
-        node: &Node,
-        i: usize,
-        ray: &SlabRay<'_>,
-        range: Range,
-        kind: RayKind,
-        scratch: &mut Scratch,
-    ) {
-        let NodeKind::Csg { operation, children, parts, .. } = &node.kind else { return };
-        if self.hides(*operation, children[i], kind) {
-            return;
-        }
-        let first = scratch.crossings.len();
-        self.crossings(children[i], ray, range, kind, false, scratch);
-        if *operation == Operation::Union {
-            return;
-        }
-        retain(&mut scratch.crossings, first, |c| {
-            let point = ray.ray.at(c.t);
-            let leaves = |other: usize| other == i || self.leaves(*operation, children[other], point, kind);
-            match parts {
-                Some(parts) => parts.all_at(point, leaves),
-                None => (0..children.len()).all(leaves),
-            }
-        });
-    }
-
-    /// Crossings of one primitive.
-    fn primitive_crossings(&self, index: u32, ray: &Ray, range: Range, scratch: &mut Scratch) {
-        let primitive = &self.primitives[index as usize];
-        scratch.hits.clear();
-        match &primitive.group_from_local {
-            Some(place) => primitive.shape.crossings(&place.inverse_ray(ray), range, &mut scratch.hits),
-            None => primitive.shape.crossings(ray, range, &mut scratch.hits),
-        }
-        let Scratch { crossings, hits, .. } = scratch;
-        crossings.extend(hits.iter().map(|h| Crossing { t: h.t, primitive: index, part: h.part }));
     }
 
     /// Whether another child leaves a crossing at `point`.
@@ -171,19 +246,6 @@ impl Geometry {
             (Operation::Union | Operation::Merge, _) => true,
         };
         honoured && self.nodes[child as usize].skips.meets(Skips::of(kind))
-    }
-
-    /// Whether the ray meets, or starts in, everything that bounds the node.
-    fn passes_bounds(&self, node: &Node, ray: &SlabRay<'_>, scratch: &mut Scratch) -> bool {
-        node.bounded_by.iter().all(|bound| {
-            let start = scratch.crossings.len();
-            let meets = self.node_contains(*bound, ray.ray.origin) || {
-                self.crossings(*bound, ray, Range::FORWARD, RayKind::Refracted, false, scratch);
-                scratch.crossings.len() > start
-            };
-            scratch.crossings.truncate(start);
-            meets
-        })
     }
 
     /// Whether a point is inside a node and all its clips.
@@ -216,16 +278,4 @@ impl Geometry {
         let local = primitive.group_from_local.as_ref().map_or(point, |place| place.inverse_point(point));
         if primitive.inverse { primitive.shape.excludes(local) } else { primitive.shape.contains(local) }
     }
-}
-
-/// Keeps what passes, from `first` on.
-fn retain(crossings: &mut Vec<Crossing>, first: usize, mut keep: impl FnMut(&Crossing) -> bool) {
-    let mut kept = first;
-    for i in first..crossings.len() {
-        if keep(&crossings[i]) {
-            crossings[kept] = crossings[i];
-            kept += 1;
-        }
-    }
-    crossings.truncate(kept);
 }

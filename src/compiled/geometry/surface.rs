@@ -321,11 +321,11 @@ impl LocalSurface {
 
 /// Own coordinates of a shape, in the space in which they are defined; of others the world's x and y. `points` are
 /// those of the shape's own space, of its group's and of the world.
-fn uv_of(primitive: &Primitive, uv: Option<DVec2>, [local, group, world]: [DVec3; 3]) -> Uv {
+fn uv_of(primitive: &Primitive, uv: Option<Uv>, [local, group, world]: [DVec3; 3]) -> Uv {
     match (&primitive.uv_from_group, &primitive.shape) {
         (Some(uv_from_group), Shape::Sphere(_)) => Uv::Around(uv_from_group.point(group)),
         (None, Shape::Sphere(sphere)) => Uv::Around(local - sphere.center),
-        _ => Uv::At(uv.unwrap_or(DVec2::new(world.x, world.y))),
+        _ => uv.unwrap_or(Uv::At(DVec2::new(world.x, world.y))),
     }
 }
 

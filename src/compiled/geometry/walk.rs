@@ -111,7 +111,7 @@ impl<'a> Walk<'a> {
 
     #[inline(never)]
     fn solid(&mut self, root: u32, ray: &Ray) -> ControlFlow<()> {
-        match self.geometry.solid_nearest(root, ray, self.range, self.kind, self.scratch) {
+        match self.geometry.solid_nearest(root, ray, self.range, self.kind, self.any, self.scratch) {
             Some(c) => self.record(c.t, c.primitive, c.part, Owner::Solid(root)),
             None => ControlFlow::Continue(()),
         }

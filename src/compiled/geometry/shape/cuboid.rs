@@ -1,7 +1,7 @@
 //! `box`: axis-aligned between two corners.
 
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Uv, gamma};
 
 /// An axis-aligned box; no thickness is fine. Parts: twice the axis, plus one for the upper face.
 #[derive(Clone, Copy, Debug)]
@@ -132,6 +132,6 @@ impl Primitive for Cuboid {
         normal[axis] = if upper { 1.0 } else { -1.0 };
         // The point lies in the face exactly; what remains is the next ray's own rounding.
         let error = gamma(2) * self.min.abs().max(self.max.abs()).max_element();
-        LocalSurface { uv: Some(self.uv(point, part)), ..LocalSurface::plain(point, error, normal) }
+        LocalSurface { uv: Some(Uv::At(self.uv(point, part))), ..LocalSurface::plain(point, error, normal) }
     }
 }

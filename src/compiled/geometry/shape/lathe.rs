@@ -1,8 +1,8 @@
 //! Curves turned around the y axis.
 
 use super::outline::{Segment, around, odd_right_of};
-use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits, spherical_uv};
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma, quadratic_roots, roots_in};
+use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Uv, gamma, quadratic_roots, roots_in};
 use std::sync::Arc;
 
 /// x² + z² = r(w)², y = y(w), for pieces (r, y) of a curve.
@@ -133,7 +133,7 @@ impl Primitive for Lathe {
     /// An odd number of curve crossings further out; never inside the curve's smallest radius.
     fn contains(&self, p: DVec3) -> bool {
         let [min, max] = self.hull();
-        let flat = DVec2::new(p.x.hypot(p.z), p.y);
+        let flat = DVec2::new(DVec2::new(p.x, p.z).length(), p.y);
         min.cmple(flat).all() && flat.cmple(max).all() && odd_right_of(&self.curve.segments, &self.curve.hulls, flat)
     }
 
@@ -154,8 +154,7 @@ impl Primitive for Lathe {
         let point = DVec3::new(outward.x * c.x.abs(), c.y, outward.y * c.x.abs());
         let rise = slope.x * c.x.signum();
         let normal = DVec3::new(slope.y * outward.x, -rise, slope.y * outward.y);
-        let u = spherical_uv(DVec3::new(outward.x, 0.0, outward.y)).x;
-        let uv = DVec2::new(u, (f64::from(part) + w) / self.curve.segments.len() as f64);
+        let uv = Uv::Turned(outward, (f64::from(part) + w) / self.curve.segments.len() as f64);
         let [min, max] = self.hull();
         let error = ROOT_ERROR * max.abs().max(min.abs()).max_element();
         LocalSurface { uv: Some(uv), ..LocalSurface::plain(point, error, normal) }

@@ -4,7 +4,7 @@ use super::triangle::{TriangleRay, corner_error, locate};
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::TextureId;
 use crate::compiled::geometry::bvh::{Box32, Bvh};
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Uv};
 use glam::Vec3;
 use rayon::prelude::*;
 use smallvec::SmallVec;
@@ -183,6 +183,6 @@ impl Primitive for Mesh {
         });
         // A mesh without coordinates has (0, 0) everywhere.
         let uv = Some(uv.unwrap_or(DVec2::ZERO));
-        LocalSurface { point, error: corner_error(corners), normal, shading_normal, uv }
+        LocalSurface { point, error: corner_error(corners), normal, shading_normal, uv: uv.map(Uv::At) }
     }
 }

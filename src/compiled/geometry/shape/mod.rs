@@ -39,7 +39,7 @@ pub(crate) use mesh::{Mesh, MeshData, MeshTree};
 pub(crate) use outline::Segment;
 pub(crate) use ovus::Ovus;
 pub(crate) use parametric::Parametric;
-pub(crate) use plane::{Disc, Plane};
+pub(crate) use plane::{Disc, PLANE_BOUNDARY, Plane};
 pub(crate) use polygon::Polygon;
 pub(crate) use polynomial::Polynomial;
 pub(crate) use prism::{Outline, Prism};
@@ -51,8 +51,7 @@ pub(crate) use superellipsoid::Superellipsoid;
 pub(crate) use torus::Torus;
 pub(crate) use triangle::{SmoothTriangle, Triangle};
 
-pub(crate) use crate::math::spherical_uv;
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
+use crate::math::{Bounds, DVec3, Range, Ray, Uv, gamma};
 use smallvec::SmallVec;
 
 /// One crossing of a ray with a shape.
@@ -79,7 +78,7 @@ pub(crate) struct LocalSurface {
     /// Interpolated normal where that differs, any length.
     pub(crate) shading_normal: Option<DVec3>,
     /// Surface coordinates where the shape has its own.
-    pub(crate) uv: Option<DVec2>,
+    pub(crate) uv: Option<Uv>,
 }
 
 impl LocalSurface {

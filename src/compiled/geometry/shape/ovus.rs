@@ -1,7 +1,7 @@
 //! Eggs: two spheres joined by the surface of a turned arc.
 
-use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits, Sphere, Torus, spherical_uv};
-use crate::math::{Bounds, DVec3, Range, Ray, gamma, roots_in};
+use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits, Sphere, Torus};
+use crate::math::{Bounds, DVec3, Range, Ray, Uv, gamma, roots_in};
 
 /// A sphere of radius `bottom` around the origin, one of radius `top` around (0, bottom, 0), and
 /// between two heights the arc (ρ + H)² + (y - V)² = C².
@@ -111,7 +111,7 @@ impl Primitive for Ovus {
         };
         let normal = (p - center).normalize_or(DVec3::Y);
         let point = center + normal * radius;
-        let uv = spherical_uv((point - DVec3::Y * (0.5 * self.top)).normalize_or(DVec3::Y));
+        let uv = Uv::Around(point - DVec3::Y * (0.5 * self.top));
         let error = gamma(64) * (self.bottom + self.top);
         LocalSurface { uv: Some(uv), ..LocalSurface::plain(point, error, normal) }
     }

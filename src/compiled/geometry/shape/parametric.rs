@@ -7,7 +7,7 @@
 use super::container::Container;
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::function::{Function, FunctionBody, Slots};
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Uv, gamma};
 use std::sync::Arc;
 
 /// (x, y, z) of (u, v); without an inside.
@@ -198,6 +198,6 @@ impl Primitive for Parametric {
         let along_v = self.point(uv.x, uv.y + self.accuracy) - here;
         let normal = along_u.cross(along_v);
         let normal = if normal.is_finite() && normal != DVec3::ZERO { normal } else { DVec3::X };
-        LocalSurface { uv: Some(uv), ..LocalSurface::plain(p, gamma(32) * p.abs().max_element(), normal) }
+        LocalSurface { uv: Some(Uv::At(uv)), ..LocalSurface::plain(p, gamma(32) * p.abs().max_element(), normal) }
     }
 }

@@ -3,6 +3,9 @@
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::math::{Bounds, DVec3, Range, Ray, dot_error, gamma};
 
+/// POV-Ray's threshold: what is above a plane by less than this is still inside, in units of the scene.
+pub(crate) const PLANE_BOUNDARY: f64 = 1e-10;
+
 /// The plane n · p = distance with a unit normal; inside is against the normal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plane {
@@ -35,10 +38,11 @@ impl Primitive for Plane {
         (range.contains(t) && t.is_finite()).then_some(ShapeHit { t, part: 0 })
     }
 
-    /// A plane and its inverse both contain their boundary, which is as thick as rounding makes it.
+    /// A plane and its inverse both contain their boundary, which is as thick as POV-Ray's or as rounding makes it.
     fn contains(&self, p: DVec3) -> bool {
+        let height = self.height(p);
         // Twice for the rounding of a hit point that another surface put here.
-        self.height(p) <= 4.0 * dot_error(self.normal, p) + gamma(2) * self.distance.abs()
+        height < PLANE_BOUNDARY || height <= 4.0 * dot_error(self.normal, p) + gamma(2) * self.distance.abs()
     }
 
     fn span(&self, ray: &Ray, Range { min, max }: Range) -> Range {
@@ -47,7 +51,8 @@ impl Primitive for Plane {
         let height = self.height(ray.origin);
         let slope = self.normal.dot(ray.direction);
         // What heights are uncertain by at the origin, and how that grows along the ray.
-        let slack = SLACK * (self.normal.abs().dot(ray.origin.abs()) + self.distance.abs());
+        let rounding = SLACK * (self.normal.abs().dot(ray.origin.abs()) + self.distance.abs());
+        let slack = PLANE_BOUNDARY + rounding;
         let growth = SLACK * self.normal.abs().dot(ray.direction.abs());
         if slope > growth {
             Range { min, max: max.min((slack - height) / (slope - growth)) }

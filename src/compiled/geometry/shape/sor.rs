@@ -1,8 +1,8 @@
 //! Surfaces of revolution whose squared radius is a cubic of the height.
 
-use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits, spherical_uv};
+use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::slab::SlabRay;
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma, roots_in};
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Uv, gamma, roots_in};
 use std::sync::Arc;
 
 /// ρ² as a cubic of y - `low`, rising, from `low` to `high`.
@@ -121,7 +121,6 @@ impl Primitive for Sor {
         let p = ray.at(t);
         let flat = DVec2::new(p.x, p.z);
         let outward = flat.normalize_or(DVec2::X);
-        let u = spherical_uv(DVec3::new(outward.x, 0.0, outward.y)).x;
         let ((low, high), (base, cap)) = (self.ends(), self.rims());
         let b = self.bounds();
         let error = gamma(128) * b.min.abs().max(b.max.abs()).max_element();
@@ -137,6 +136,6 @@ impl Primitive for Sor {
                 (DVec3::new(rim.x, p.y, rim.y), DVec3::new(p.x, -0.5 * slope, p.z), v)
             }
         };
-        LocalSurface { uv: Some(DVec2::new(u, v)), ..LocalSurface::plain(point, error, normal) }
+        LocalSurface { uv: Some(Uv::Turned(outward, v)), ..LocalSurface::plain(point, error, normal) }
     }
 }

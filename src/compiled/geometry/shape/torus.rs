@@ -1,8 +1,7 @@
 //! Tori around the y axis.
 
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
-use crate::math::{Bounds, DVec2, DVec3, Range, Ray, gamma, roots_in};
-use std::f64::consts::TAU;
+use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Uv, gamma, roots_in};
 
 /// A circle of radius `minor` around a circle of radius `major` in the xz plane.
 #[derive(Clone, Copy, Debug)]
@@ -37,9 +36,9 @@ impl Torus {
 
     /// The value at `o`: (ρ-R)²+y²-r² times (ρ+R)²+y²-r², which does not cancel near the surface.
     fn value(&self, o: DVec3) -> f64 {
-        let rho = o.x.hypot(o.z);
+        let rho = DVec2::new(o.x, o.z).length();
         let factor = |major: f64| {
-            let tube = (rho - major).hypot(o.y);
+            let tube = DVec2::new(rho - major, o.y).length();
             (tube - self.minor) * (tube + self.minor)
         };
         factor(self.major) * factor(-self.major)
@@ -78,12 +77,12 @@ impl Primitive for Torus {
     }
 
     fn contains(&self, p: DVec3) -> bool {
-        (p.x.hypot(p.z) - self.major).powi(2) + p.y * p.y <= self.minor * self.minor
+        (DVec2::new(p.x, p.z).length() - self.major).powi(2) + p.y * p.y <= self.minor * self.minor
     }
 
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let p = ray.at(t);
-        let rho = p.x.hypot(p.z);
+        let rho = DVec2::new(p.x, p.z).length();
         let spoke = if rho > 0.0 { DVec3::new(p.x / rho, 0.0, p.z / rho) } else { DVec3::ZERO };
         // The inner surface of a spindle torus belongs to the circle on the other side.
         let center = [self.major, -self.major]
@@ -95,7 +94,7 @@ impl Primitive for Torus {
             })
             .unwrap_or(DVec3::ZERO);
         let normal = (p - center).try_normalize().unwrap_or(DVec3::Y);
-        let uv = DVec2::new(0.5 - p.z.atan2(p.x) / TAU, 0.5 + p.y.atan2(rho - self.major) / TAU);
+        let uv = Uv::Ring(DVec2::new(p.x, p.z), DVec2::new(rho - self.major, p.y));
         let point = center + normal * self.minor;
         LocalSurface { uv: Some(uv), ..LocalSurface::plain(point, gamma(32) * self.reach(), normal) }
     }
