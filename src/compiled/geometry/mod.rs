@@ -43,7 +43,7 @@ pub(crate) use shape::{
 use crate::math::{Bounds, DVec3, Range, Ray};
 use record::Path;
 use smallvec::SmallVec;
-use walk::Walk;
+use walk::{Blocking, Nearest, Walk};
 
 /// All objects of a scene, or of one object that is asked about.
 ///
@@ -63,36 +63,45 @@ pub struct Geometry {
     pub(crate) hollow: Vec<bool>,
 }
 
+/// What is in the way of light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shadow {
+    /// Nothing.
+    Clear,
+    /// Nothing that surely blocks it, but something that may let some through.
+    Filtered,
+    /// Something opaque.
+    Blocked,
+}
+
 impl Geometry {
     /// The nearest hit strictly inside `range`; an empty range gives `None`.
     pub fn intersect(&self, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch) -> Option<Hit> {
-        self.walk(ray, range, kind, scratch)
+        let mut walk = Walk::new(self, ray, range, kind, scratch, Nearest::default());
+        // Nothing ends this search before its end.
+        let _: std::ops::ControlFlow<()> = walk.group(&self.root, ray);
+        walk.search.best.map(|(hit, _)| hit)
     }
 
-    /// Whether a ray towards light number `light` meets anything inside `range`. For scenes in
-    /// which nothing transmits light.
-    pub fn occluded(&self, ray: &Ray, range: Range, light: usize, scratch: &mut Scratch) -> bool {
+    /// What stands inside `range` between a point and light number `light`.
+    ///
+    /// `opaque` says of each texture whether no light comes through; `None` where that holds for all.
+    pub fn shadow(&self, ray: &Ray, range: Range, light: usize, opaque: Option<&[bool]>, scratch: &mut Scratch) -> Shadow {
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, None);
         }
         let last = scratch.blockers[light];
-        let mut walk = Walk::new(self, ray, range, RayKind::Shadow, scratch, true);
+        let search = Blocking { opaque, is_filtered: false, blocker: None };
+        let mut walk = Walk::new(self, ray, range, RayKind::Shadow, scratch, search);
         if last.is_some_and(|item| walk.item(&item, ray).is_break()) {
-            return true;
+            return Shadow::Blocked;
         }
-        let blocked = walk.group(&self.root, ray).is_break();
-        if blocked {
-            let blocker = walk.blocker;
+        if walk.group(&self.root, ray).is_break() {
+            let blocker = walk.search.blocker;
             scratch.blockers[light] = blocker;
+            return Shadow::Blocked;
         }
-        blocked
-    }
-
-    fn walk(&self, ray: &Ray, range: Range, kind: RayKind, scratch: &mut Scratch) -> Option<Hit> {
-        let mut walk = Walk::new(self, ray, range, kind, scratch, false);
-        // Breaking off only says that the first hit was enough.
-        let _: std::ops::ControlFlow<()> = walk.group(&self.root, ray);
-        walk.best
+        if walk.search.is_filtered { Shadow::Filtered } else { Shadow::Clear }
     }
 
     /// The interiors of frame-level objects that contain the point, in file order. As in POV-Ray, inverted

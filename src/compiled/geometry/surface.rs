@@ -65,22 +65,21 @@ impl Geometry {
         self.hollow.get(key.interior.0 as usize).copied().unwrap_or(false)
     }
 
-    /// Whether whatever texture may show at a hit is one of those marked in `opaque`.
+    /// Whether all textures that may show on a primitive are among those marked in `opaque`.
     ///
-    /// Much cheaper than the [`surface`](Self::surface); where that would have to say, `false`.
-    pub fn blocks_light(&self, hit: &Hit, opaque: &[bool]) -> bool {
-        let primitive = &self.primitives[hit.primitive as usize];
-        let inherited = self.looks_of(primitive.look, &hit.path);
+    /// Where only the [`surface`](Self::surface) could say, `false`.
+    pub(super) fn blocks_light(&self, primitive: u32, path: &Path, opaque: &[bool]) -> bool {
+        let primitive = &self.primitives[primitive as usize];
+        let inherited = self.looks_of(primitive.look, path);
         let look = &inherited.look;
-        let has_own = match &primitive.shape {
-            Shape::Blob(blob) => blob.has_textures,
-            shape => !self.textures_of_part(shape, hit.part, DVec3::ZERO).is_empty(),
+        let is_opaque = |texture: TextureId| opaque.get(texture.0 as usize).copied().unwrap_or(false);
+        let own_block = match &primitive.shape {
+            Shape::Blob(blob) => !blob.has_textures,
+            Shape::Mesh(mesh) => mesh.tree.own_textures().iter().all(|texture| is_opaque(*texture)),
+            _ => true,
         };
-        let blocks = |placement: u32| {
-            let texture = self.placements.get(placement as usize).map(|p| p.texture);
-            texture.is_some_and(|t| opaque.get(t.0 as usize).copied().unwrap_or(false))
-        };
-        !has_own
+        let blocks = |placement: u32| self.placements.get(placement as usize).is_some_and(|p| is_opaque(p.texture));
+        own_block
             && look.cutaway.is_none()
             && look.texture.is_some_and(blocks)
             && look.interior_texture.is_none_or(blocks)

@@ -9,56 +9,110 @@ use crate::math::{Range, Ray};
 use std::ops::ControlFlow;
 
 /// A search in progress.
-pub(super) struct Walk<'a> {
+pub(super) struct Walk<'a, S> {
     pub(super) geometry: &'a Geometry,
     pub(super) kind: RayKind,
     /// What passes this kind of ray by.
     passed: Skips,
     pub(super) scratch: &'a mut Scratch,
-    /// Ends at the nearest hit so far.
+    /// Where hits count: up to the nearest so far, if it is looked for.
     pub(super) range: Range,
-    pub(super) best: Option<Hit>,
     /// Instances that the ray is in.
     pub(super) path: Path,
     /// The ray in world space.
     ray: &'a Ray,
-    /// Any hit ends the search.
-    pub(super) any: bool,
-    /// The item of the outermost group that ended it.
-    pub(super) blocker: Option<Item>,
-    /// What the nearest hit so far belongs to.
-    winner: Owner,
+    /// What is looked for, and what was found of it.
+    pub(super) search: S,
+}
+
+/// What a ray looks for.
+pub(super) trait Search: Sized {
+    /// Any hit of a thing says as much as its nearest.
+    const ANY: bool;
+    /// Notes a hit inside the range; breaks when it ends the search.
+    fn record(walk: &mut Walk<'_, Self>, hit: Found) -> ControlFlow<()>;
+    /// Notes the item that ended the search, over any of a group within it.
+    fn ended_by(&mut self, _item: &Item) {}
+}
+
+/// A hit of a thing.
+#[derive(Clone, Copy)]
+pub(super) struct Found {
+    t: f64,
+    primitive: u32,
+    part: u32,
+    owner: Owner,
 }
 
 /// What POV-Ray has as one object: a primitive by itself or a solid, by index.
 #[derive(Clone, Copy, Debug)]
-enum Owner {
+pub(super) enum Owner {
     Primitive(u32),
     Solid(u32),
 }
 
-impl<'a> Walk<'a> {
+/// The nearest hit.
+#[derive(Default)]
+pub(super) struct Nearest {
+    pub(super) best: Option<(Hit, Owner)>,
+}
+
+/// Whatever stands in the way of light.
+pub(super) struct Blocking<'a> {
+    /// By texture, whether no light comes through; none is asked for where all are so.
+    pub(super) opaque: Option<&'a [bool]>,
+    /// Something was met that may let light through.
+    pub(super) is_filtered: bool,
+    /// The item of the outermost group that ended the search.
+    pub(super) blocker: Option<Item>,
+}
+
+impl Search for Nearest {
+    const ANY: bool = false;
+
+    #[inline(always)]
+    fn record(walk: &mut Walk<'_, Self>, found: Found) -> ControlFlow<()> {
+        if let Some((best, owner)) = &walk.search.best
+            && found.t >= best.t
+            && !walk.precedes(&found, best, *owner)
+        {
+            return ControlFlow::Continue(());
+        }
+        let Found { t, primitive, part, owner } = found;
+        walk.search.best = Some((Hit { t, primitive, part, path: walk.path }, owner));
+        walk.range.max = t.next_up();
+        ControlFlow::Continue(())
+    }
+}
+
+impl Search for Blocking<'_> {
+    const ANY: bool = true;
+
+    #[inline(always)]
+    fn record(walk: &mut Walk<'_, Self>, found: Found) -> ControlFlow<()> {
+        let is_opaque = |opaque| walk.geometry.blocks_light(found.primitive, &walk.path, opaque);
+        if walk.search.opaque.is_none_or(is_opaque) {
+            return ControlFlow::Break(());
+        }
+        walk.search.is_filtered = true;
+        ControlFlow::Continue(())
+    }
+
+    fn ended_by(&mut self, item: &Item) {
+        self.blocker = Some(*item);
+    }
+}
+
+impl<'a, S: Search> Walk<'a, S> {
     pub(super) fn new(
         geometry: &'a Geometry,
         ray: &'a Ray,
         range: Range,
         kind: RayKind,
         scratch: &'a mut Scratch,
-        any: bool,
+        search: S,
     ) -> Self {
-        Self {
-            geometry,
-            kind,
-            passed: Skips::of(kind),
-            scratch,
-            range,
-            best: None,
-            path: Path::default(),
-            ray,
-            any,
-            blocker: None,
-            winner: Owner::Primitive(0),
-        }
+        Self { geometry, kind, passed: Skips::of(kind), scratch, range, path: Path::default(), ray, search }
     }
 
     /// Goes through a group; `ray` is in the group's space. Breaks when any hit will do and there is one.
@@ -75,13 +129,13 @@ impl<'a> Walk<'a> {
         })
     }
 
-    /// An item of a group; one that ends the search is noted, over any of a group within it.
+    /// An item of a group; one that ends the search is noted.
     // Always inline, as what it calls: spheres are tried for less than a call costs.
     #[inline(always)]
     fn tried(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
         let flow = self.item(item, ray);
         if flow.is_break() {
-            self.blocker = Some(*item);
+            self.search.ended_by(item);
         }
         flow
     }
@@ -104,15 +158,19 @@ impl<'a> Walk<'a> {
     #[inline(always)]
     fn shape(&mut self, shape: &impl Primitive, primitive: u32, ray: &Ray) -> ControlFlow<()> {
         match shape.intersect(ray, self.range) {
-            Some(hit) => self.record(hit.t, primitive, hit.part, Owner::Primitive(primitive)),
+            Some(hit) => {
+                S::record(self, Found { t: hit.t, primitive, part: hit.part, owner: Owner::Primitive(primitive) })
+            }
             None => ControlFlow::Continue(()),
         }
     }
 
     #[inline(never)]
     fn solid(&mut self, root: u32, ray: &Ray) -> ControlFlow<()> {
-        match self.geometry.solid_nearest(root, ray, self.range, self.kind, self.any, self.scratch) {
-            Some(c) => self.record(c.t, c.primitive, c.part, Owner::Solid(root)),
+        match self.geometry.solid_nearest(root, ray, self.range, self.kind, S::ANY, self.scratch) {
+            Some(c) => {
+                S::record(self, Found { t: c.t, primitive: c.primitive, part: c.part, owner: Owner::Solid(root) })
+            }
             None => ControlFlow::Continue(()),
         }
     }
@@ -138,34 +196,23 @@ impl<'a> Walk<'a> {
             }
             None => ray,
         };
-        if self.any {
+        let owner = Owner::Primitive(index);
+        if S::ANY {
             if primitive.shape.occluded(ray, self.range) {
-                return self.record(self.range.max, index, 0, Owner::Primitive(index));
+                return S::record(self, Found { t: self.range.max, primitive: index, part: 0, owner });
             }
         } else if let Some(hit) = primitive.shape.intersect(ray, self.range) {
-            return self.record(hit.t, index, hit.part, Owner::Primitive(index));
+            return S::record(self, Found { t: hit.t, primitive: index, part: hit.part, owner });
         }
         ControlFlow::Continue(())
-    }
-
-    /// Notes a hit inside the range, which reaches to what is as near as the nearest so far.
-    fn record(&mut self, t: f64, primitive: u32, part: u32, owner: Owner) -> ControlFlow<()> {
-        let as_near = |best: &Hit| t >= best.t && !self.any;
-        if self.best.as_ref().is_some_and(|best| as_near(best) && !self.precedes(owner, primitive, best)) {
-            return ControlFlow::Continue(());
-        }
-        self.best = Some(Hit { t, primitive, part, path: self.path });
-        self.winner = owner;
-        self.range.max = t.next_up();
-        if self.any { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Whether the owner of one of two equally near hits comes first, as in POV-Ray (shape facts, section 13):
     /// what is infinite before what is not, then the object whose box the ray enters first, then by the file.
     #[cold]
-    fn precedes(&self, owner: Owner, primitive: u32, best: &Hit) -> bool {
-        let (new, old) = (self.entry(owner, &self.path), self.entry(self.winner, &best.path));
-        let by_file = (primitive, self.path.steps()) < (best.primitive, best.path.steps());
+    fn precedes(&self, found: &Found, best: &Hit, owner: Owner) -> bool {
+        let (new, old) = (self.entry(found.owner, &self.path), self.entry(owner, &best.path));
+        let by_file = (found.primitive, self.path.steps()) < (best.primitive, best.path.steps());
         new < old || (new == old && by_file)
     }
 

@@ -3,7 +3,7 @@
 //! Source: sections 3.5, 3.6 and 4 of the shading facts (measured).
 
 use super::area::Grid;
-use crate::compiled::geometry::{Hit, RayKind, Surface};
+use crate::compiled::geometry::{Hit, RayKind, Shadow, Surface};
 use crate::compiled::light::{Arrival, Light, is_dark};
 use crate::compiled::texture::Frame;
 use crate::math::{DVec3, Range, Ray, Rgb};
@@ -91,9 +91,11 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
         Some(length) if inside.are_hollow() => fog_transmittance(world, ray, length),
         _ => Rgb::ONE,
     };
-    if worker.prepared.all_opaque {
-        let blocked = world.geometry.occluded(&ray, range, way.light, &mut worker.scratch);
-        return if blocked { Rgb::ZERO } else { color * fog(&ray, way.fogged, vertex.interiors()) };
+    let opaque = (!worker.prepared.all_opaque).then_some(world.opaque.as_slice());
+    match world.geometry.shadow(&ray, range, way.light, opaque, &mut worker.scratch) {
+        Shadow::Blocked => return Rgb::ZERO,
+        Shadow::Clear => return color * fog(&ray, way.fogged, vertex.interiors()),
+        Shadow::Filtered => {}
     }
     let mut interiors = None;
     let mut fogged = way.fogged;
@@ -101,9 +103,6 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
         let Some(hit) = world.geometry.intersect(&ray, range, RayKind::Shadow, &mut worker.scratch) else {
             return color * fog(&ray, fogged, interiors.as_ref().unwrap_or(vertex.interiors()));
         };
-        if world.geometry.blocks_light(&hit, &world.opaque) {
-            return Rgb::ZERO;
-        }
         let surface = world.geometry.surface(&ray, &hit);
         if surface.textures.iter().all(|t| world.opaque[t.texture.0 as usize]) {
             return Rgb::ZERO;

@@ -227,8 +227,8 @@ fn what_stood_in_the_way_last_changes_no_answer() {
     for x in [-50.0, 0.0, 53.0, 3.0, -47.0, 100.0] {
         let ray = Ray::new(v(x, 10.0, 0.0), DVec3::NEG_Y);
         let range = Range { max: 50.0, ..Range::FORWARD };
-        let fresh = geometry.occluded(&ray, range, 0, &mut Scratch::default());
-        assert_eq!(geometry.occluded(&ray, range, 0, &mut scratch), fresh, "at x = {x}");
+        let fresh = geometry.shadow(&ray, range, 0, None, &mut Scratch::default());
+        assert_eq!(geometry.shadow(&ray, range, 0, None, &mut scratch), fresh, "at x = {x}");
     }
 }
 

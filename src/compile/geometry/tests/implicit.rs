@@ -2,7 +2,7 @@
 
 use super::{check, inside, moved, object, v};
 use crate::compile::geometry::compile_object;
-use crate::compiled::geometry::{RayKind, Scratch};
+use crate::compiled::geometry::{RayKind, Scratch, Shadow};
 use crate::function::{Binary as B, Function, FunctionBody, ProgramBuilder, Slot, Unary as U};
 use crate::math::{DVec2, DVec3, DVec4, Range, Ray, Transform};
 use crate::scene::{Container, Isosurface, IsosurfaceSearch, JuliaFractal, JuliaFunction, Object, Parametric, Shape};
@@ -169,7 +169,7 @@ fn met(search: IsosurfaceSearch) -> usize {
         // Within 0.69 of the axis, where the shell's radius is 0.7, in a spiral.
         let (radius, angle) = (0.69 * *i as f64 / 1000.0, *i as f64 * 2.4);
         let ray = Ray::new(v(radius * angle.cos(), radius * angle.sin(), -3.0), DVec3::Z);
-        geometry.occluded(&ray, Range::FORWARD, 0, &mut Scratch::default())
+        geometry.shadow(&ray, Range::FORWARD, 0, None, &mut Scratch::default()) == Shadow::Blocked
     };
     (0..1000).filter(meets).count()
 }

@@ -7,7 +7,7 @@ mod solids;
 mod swept;
 
 use super::{compile_object, cuboid, moved, object, sphere, v, written};
-use crate::compiled::geometry::{Geometry, RayKind, Scratch, Surface};
+use crate::compiled::geometry::{Geometry, RayKind, Scratch, Shadow, Surface};
 use crate::math::{DVec3, Range, Ray, Transform};
 use crate::scene::{Object, Shape};
 use std::sync::Arc;
@@ -201,7 +201,7 @@ fn follow(case: &Case, geometry: &Geometry, place: &Transform, ray: &Ray, random
     let mut scratch = Scratch::default();
     let mut nearest = |ray: &Ray, range: Range| geometry.intersect(ray, range, RayKind::Refracted, &mut scratch);
     let hit = nearest(ray, Range::FORWARD);
-    f.disagree += u32::from(hit.is_some() != geometry.occluded(ray, Range::FORWARD, 0, &mut Scratch::default()));
+    f.disagree += u32::from(hit.is_some() != (geometry.shadow(ray, Range::FORWARD, 0, None, &mut Scratch::default()) == Shadow::Blocked));
     let Some(hit) = hit else { return };
     f.hits += 1;
     let first = geometry.surface(ray, &hit);

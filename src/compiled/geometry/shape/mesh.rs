@@ -113,6 +113,11 @@ impl MeshTree {
         (differ(normals[0], normals[1]) || differ(normals[0], normals[2])).then_some(normals)
     }
 
+    /// Textures that faces have instead of the mesh's own.
+    pub(crate) fn own_textures(&self) -> &[TextureId] {
+        &self.data.textures
+    }
+
     /// Textures of a face with their weights at a point in mesh space; empty where the mesh's own shows.
     pub(crate) fn textures(&self, part: u32, point: DVec3) -> SmallVec<[(TextureId, f32); 3]> {
         let original = self.original[part as usize] as usize;
