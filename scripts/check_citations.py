@@ -4,7 +4,7 @@ A citation names a page of docs/povray and a section of it, in one of two forms:
 
     language facts, section 15            sections 5.2 to 5.5 of the function facts
 
-A page may also be named without a section ("the shape facts"). Comments of any length and paragraphs of Markdown are
+A page may also be named without a section ("the shape facts"); within a page "section 4" is one of its own. Comments of any length and paragraphs of Markdown are
 read as one line, so that a citation may be broken anywhere. Prints what is wrong and exits with 1, or says how many
 citations hold.
 """
@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+PAGE_FOLDER = ROOT / "docs" / "povray"
 PAGES = {
     "language": "language.md",
     "function": "functions.md",
@@ -38,10 +39,12 @@ CITED = re.compile(
 NAMED = re.compile(rf"\b{NAME} facts\b", re.IGNORECASE)
 # Whatever else looks as if it meant a section of the facts.
 ODD = re.compile(
-    rf"\bfacts? (?:file|about)s?\b|\bfacts?,? (?:§ ?)?{NUMBER}|\bfacts, (?!section)[a-z-]+, section"
+    rf"\bfacts? files?\b|\bfacts?,? (?:§ ?)?{NUMBER}|\bfacts, (?!section)[a-z-]+, section"
     rf"|\bsections? {NUMBERS} of the (?!{NAME} facts\b)[a-z -]{{0,40}}facts\b",
     re.IGNORECASE,
 )
+# A section of the page itself, in a page.
+OWN = re.compile(rf"(?<!facts, )\bsections? (?P<numbers>{NUMBERS})(?! of the {NAME} facts)", re.IGNORECASE)
 COMMENT = re.compile(r"^\s*(?://[/!]?|#+|%+)\s?(.*)$")
 
 
@@ -81,7 +84,7 @@ def numbers(text: str):
 
 def sections(page: str) -> set[str]:
     """The numbers in the headings of a page."""
-    text = (ROOT / "docs" / "povray" / page).read_text()
+    text = (PAGE_FOLDER / page).read_text()
     return set(re.findall(rf"^#+ ({NUMBER})\b", text, re.MULTILINE))
 
 
@@ -107,6 +110,11 @@ def main() -> int:
                     if number not in known[PAGES[name]]:
                         wrong.append(f"{place}: docs/povray/{PAGES[name]} has no section {number}")
             held += len(NAMED.findall(text)) - len(CITED.findall(text))
+            if path.parent == PAGE_FOLDER and path.name in known:
+                for own in OWN.finditer(text):
+                    for number in numbers(own["numbers"]):
+                        if number not in known[path.name]:
+                            wrong.append(f"{place}: this page has no section {number}")
             for odd in ODD.finditer(text):
                 wrong.append(f"{place}: write '<page> facts, section N', not '{odd.group(0)}'")
     for complaint in wrong:
