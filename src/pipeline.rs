@@ -86,14 +86,12 @@ pub fn render_file(
 ) -> Result<Outcome, Box<Failed>> {
     let Ready { compiled, mut warnings, sources, mut timings } = compile_file(scene, reading, host)?;
     let Compiled { world, watched, .. } = compiled;
-    let start = Instant::now();
     let rendered = timings.time("render", || render::render(&world, options, progress));
     warnings.extend(watched.iter().filter_map(Watched::warning));
     let metadata = Metadata {
         software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
         scene: scene.display().to_string(),
         camera: describe(&world.camera),
-        seconds: start.elapsed().as_secs_f64(),
         rays: rendered.statistics.rays(),
     };
     Ok(Outcome { picture: rendered.picture, metadata, warnings, sources, timings })

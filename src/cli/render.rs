@@ -224,8 +224,9 @@ fn write(
             messages::line(format_args!("{stage:8} {:9.3} s", time.as_secs_f64()));
         }
         let rays = outcome.metadata.rays as f64;
-        let rate = rays / outcome.metadata.seconds.max(1e-9) / 1e6;
-        messages::line(format_args!("rays     {rays:9.0} ({rate:.2} million a second)"));
+        let rendering: f64 =
+            timings.0.iter().filter(|(stage, _)| *stage == "render").map(|(_, t)| t.as_secs_f64()).sum();
+        messages::line(format_args!("rays     {rays:9.0} ({:.2} million a second)", rays / rendering / 1e6));
     }
     Ok(())
 }

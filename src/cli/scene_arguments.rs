@@ -20,6 +20,9 @@ pub(super) struct SceneArguments {
     /// Declare a float before the scene is read
     #[arg(long, short = 'D', value_name = "NAME=VALUE", value_parser = declaration)]
     declare: Vec<(String, f64)>,
+    /// Language version in force before the scene's first #version, as POV-Ray's +MV
+    #[arg(long, value_name = "V", value_parser = language_version)]
+    language_version: Option<u32>,
     /// Value of `clock` for animations
     #[arg(long, value_name = "VALUE", default_value_t = 0.0)]
     clock: f64,
@@ -51,6 +54,13 @@ fn declaration(text: &str) -> Result<(String, f64), String> {
     Ok((name.trim().to_owned(), value))
 }
 
+/// Hundredths.
+fn language_version(text: &str) -> Result<u32, String> {
+    let version: f64 = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
+    let hundredths = (version * 100.0).round();
+    if (0.0..=370.0).contains(&hundredths) { Ok(hundredths as u32) } else { Err("must be 0 to 3.7".into()) }
+}
+
 fn limit(text: &str) -> Result<(String, u64), String> {
     let (name, value) = text.split_once('=').ok_or("expected NAME=N")?;
     if !Limits::NAMES.contains(&name) {
@@ -64,6 +74,7 @@ impl SceneArguments {
     pub(super) fn reading(&self, width: usize, height: usize) -> eval::Options {
         let mut options = eval::Options {
             include_dirs: self.folders(),
+            version: self.language_version,
             declarations: self.declare.clone(),
             clock: self.clock,
             image_width: width as u32,

@@ -3,12 +3,12 @@
 use super::geometry::{CompiledGeometry, PlacedLight, Watched};
 use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
-use crate::compiled::atmosphere::{Atmosphere, Fog, FogTurbulence, Rainbow, Sky};
+use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
 use crate::compiled::interior::{Interior, InteriorFade};
 use crate::compiled::{Group, Settings, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
-use crate::math::DVec3;
 use crate::math::noise::Octaves;
+use crate::math::{Color, DVec3};
 use crate::scene::{self, Gamma, Object, Scene, Texture, Working};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -153,17 +153,25 @@ fn atmosphere(scene: &Scene, compiler: &mut TextureCompiler<'_>) -> Result<Atmos
         Some(sky) => Some(Sky {
             pigments: sky.pigments.iter().map(|p| compiler.pigment(p)).collect::<Result<_, _>>()?,
             emission: sky.emission,
-            legacy: scene.settings.version < 370,
             sky_from_world: sky.transform.inverse(),
         }),
     };
     let rainbows = scene.rainbows.iter().filter(|r| r.width_deg != 0.0 && r.distance != 0.0);
     Ok(Atmosphere {
-        background: scene.background,
+        background: scene.background.map(background),
+        legacy: scene.settings.version < 370,
         sky,
         fogs: scene.fogs.iter().filter(|f| f.distance.abs() > TINY).map(|f| fog(f, &scene.settings)).collect(),
         rainbows: rainbows.map(|r| rainbow(r, compiler)).collect::<Result<_, _>>()?,
     })
+}
+
+/// Source: camera facts, sections 4.3 and 6.2; versions measured.
+fn background(background: scene::Background) -> Background {
+    let scene::Background { color, legacy } = background;
+    let visible = if legacy { 1.0 } else { 1.0 - color.transmit };
+    let translucent = if legacy { Color { filter: 0.0, transmit: 1.0, ..color } } else { color };
+    Background { translucent, mirrored: color.rgb, opaque: color.rgb * visible }
 }
 
 fn fog(fog: &scene::Fog, settings: &scene::Settings) -> Fog {

@@ -8,13 +8,26 @@ use crate::math::{Color, DVec3, Rgb, Transform};
 #[derive(Debug, Default)]
 pub struct Atmosphere {
     /// `background`, if any.
-    pub background: Option<Color>,
+    pub background: Option<Background>,
+    /// The scene ends below version 3.7: a picture with alpha shows no sky, and layers of the sky mix by older rules.
+    pub legacy: bool,
     /// Pigments on an infinite sphere, if any.
     pub sky: Option<Sky>,
     /// In file order.
     pub fogs: Vec<Fog>,
     /// In file order.
     pub rainbows: Vec<Rainbow>,
+}
+
+/// `background`, as rays of different kinds see it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Background {
+    /// In a picture with alpha.
+    pub translucent: Color,
+    /// In a picture with alpha, as mirrors show it.
+    pub mirrored: Rgb,
+    /// In a picture without alpha.
+    pub opaque: Rgb,
 }
 
 /// `sky_sphere`.
@@ -24,8 +37,6 @@ pub struct Sky {
     pub pigments: Vec<Pigment>,
     /// Colour factor.
     pub emission: Rgb,
-    /// Layers mix by the rule of scenes before version 3.7.
-    pub legacy: bool,
     /// Carries unit directions, taken as points.
     pub sky_from_world: Transform,
 }

@@ -102,8 +102,8 @@ impl Evaluator<'_> {
     /// Takes sRGB values to the gamma the scene works in.
     fn to_working_gamma(&self, v: &mut [f64; 5], span: Span) -> SourceResult<()> {
         let working = match self.scene.settings.gamma {
-            Gamma::Linear(working) | Gamma::Legacy(working) => working,
-            Gamma::None => {
+            Gamma::Linear(working) | Gamma::Legacy(working) if self.defaults.gamma_given => working,
+            _ => {
                 return self.error_with_hint(
                     span,
                     "srgb colours need to know what gamma the scene works in",

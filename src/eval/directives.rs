@@ -2,6 +2,7 @@
 
 use super::{Evaluator, Place};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
+use crate::scene::Gamma;
 use crate::syntax::{Directive, Keyword, Position, TokenKind};
 
 /// A conditional or loop whose `#end` is still to come.
@@ -148,6 +149,9 @@ impl Evaluator<'_> {
         self.version = hundredths.max(0.0) as u32;
         self.version_given = true;
         self.scene.settings.version = self.version;
+        if !self.defaults.gamma_given {
+            self.scene.settings.gamma = Gamma::implied(self.version);
+        }
         Ok(())
     }
 

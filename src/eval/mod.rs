@@ -64,7 +64,7 @@ pub use standard_includes::{standard_include, standard_include_names};
 pub use value::{Array, Macro, Number, Value};
 
 use crate::diag::{Diagnostic, FileId, SourceMap, SourceResult, Span, Topic};
-use crate::scene::{GeometryQueries, Scene};
+use crate::scene::{Gamma, GeometryQueries, Scene, Settings};
 use crate::syntax::{Names, Position, Source, Symbol, Token, TokenKind};
 use cursor::{Cursor, Role};
 use directives::Block;
@@ -102,7 +102,7 @@ pub struct Evaluator<'h> {
     pub(super) host: &'h dyn Host,
     pub(super) queries: &'h dyn GeometryQueries,
     pub(super) options: &'h Options,
-    /// Language version in hundredths, as `#version` last set it; 370 at the start.
+    /// Language version in hundredths, as `#version` last set it; at the start that of the options, else 370.
     pub(super) version: u32,
     /// Whether a `#version` was met.
     pub(super) version_given: bool,
@@ -172,7 +172,7 @@ impl<'h> Evaluator<'h> {
             host,
             queries,
             options,
-            version: 370,
+            version: options.version.unwrap_or(370),
             version_given: false,
             names: Names::default(),
             sources: SourceMap::default(),
@@ -253,19 +253,27 @@ impl<'h> Evaluator<'h> {
         Ok(true)
     }
 
+    /// The version by which gamma and backgrounds go: a scene that never says one counts as 3.62.
+    pub(super) fn effective_version(&self) -> u32 {
+        let unstated = || self.options.version.unwrap_or(Settings::default().version);
+        if self.version_given { self.version } else { unstated() }
+    }
+
     /// What holds for the scene as a whole once all of it is read.
     fn finish(&mut self) {
         self.scene.settings.max_parts = self.options.limits.parts;
-        if self.version_given {
-            self.scene.settings.version = self.version;
-        } else {
+        let version = self.effective_version();
+        self.scene.settings.version = version;
+        if !self.version_given && self.options.version.is_none() {
             self.warn_once(
                 Topic::Version,
                 Span::default(),
                 "this scene has no #version, so rules from before version 3.7 hold; start it with '#version 3.7;'",
             );
         }
-        if self.version_given && self.version >= 370 && !self.defaults.gamma_given {
+        if !self.defaults.gamma_given && version.max(self.options.version.unwrap_or(0)) >= 370 {
+            // A version among the options counts here even where the scene goes below it.
+            self.scene.settings.gamma = Gamma::implied(370);
             self.remark(
                 Topic::Version,
                 "assumed_gamma is not given, so 1.0 is taken; 'global_settings { assumed_gamma 1.0 }' says so",

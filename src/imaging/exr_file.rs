@@ -73,6 +73,9 @@ fn attributes(picture: &Picture, metadata: &Metadata) -> LayerAttributes {
     for (name, value) in picture.layers.iter().flat_map(|layer| &layer.attributes) {
         attributes.other.insert(Text::from(name.as_str()), AttributeValue::Text(Text::from(value.as_str())));
     }
+    // Linear light in the primaries of Rec. 709, referred to the scene; chromaticities beside it would be a second say.
+    // Source: Color Interop Forum, "Color Space Encodings for Texture Assets and CG Rendering", 2026.
+    attributes.other.insert(Text::from("colorInteropID"), AttributeValue::Text(Text::from("lin_rec709_scene")));
     if !metadata.software.is_empty() {
         attributes.software_name = Some(Text::from(metadata.software.as_str()));
     }
@@ -82,7 +85,6 @@ fn attributes(picture: &Picture, metadata: &Metadata) -> LayerAttributes {
         }
     }
     if metadata.rays > 0 {
-        attributes.other.insert(Text::from("renderSeconds"), AttributeValue::F32(metadata.seconds as f32));
         attributes.other.insert(Text::from("rays"), AttributeValue::F64(metadata.rays as f64));
     }
     attributes

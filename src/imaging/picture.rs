@@ -39,8 +39,6 @@ pub struct Metadata {
     pub scene: String,
     /// The camera in words.
     pub camera: String,
-    /// Time spent rendering.
-    pub seconds: f64,
     /// Rays shot, shadow rays included.
     pub rays: u64,
 }

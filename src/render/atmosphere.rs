@@ -40,7 +40,7 @@ impl Tracer<'_> {
 
     /// What a ray sees of a sky of which the colours are known, uppermost first.
     pub(super) fn sky_of(&self, sky: &Sky, path: &Path, colors: impl Iterator<Item = Color>) -> Radiance {
-        if sky.legacy {
+        if self.world.atmosphere.legacy {
             let (rgb, filter) = legacy_sky(sky, colors);
             return self.behind(path, rgb, filter);
         }
@@ -56,11 +56,14 @@ impl Tracer<'_> {
     fn behind(&self, path: &Path, mut rgb: Rgb, mut filter: Rgb) -> Radiance {
         let atmosphere = &self.world.atmosphere;
         let shows_through = self.options.alpha && path.kind != RayKind::Reflected;
+        if shows_through && atmosphere.legacy {
+            return Radiance::CLEAR;
+        }
+        let opaque = |rgb: Rgb| Color { rgb, ..Color::BLACK };
         let background = match atmosphere.background {
-            Some(color) if shows_through => color,
-            // Without alpha a transparent background is that much darker.
-            Some(color) if !self.options.alpha => Color { rgb: color.rgb * (1.0 - color.transmit), ..Color::BLACK },
-            Some(color) => Color { rgb: color.rgb, ..Color::BLACK },
+            Some(background) if shows_through => background.translucent,
+            Some(background) if self.options.alpha => opaque(background.mirrored),
+            Some(background) => opaque(background.opaque),
             None if shows_through => Color { transmit: 1.0, ..Color::BLACK },
             None => Color::BLACK,
         };

@@ -4,6 +4,16 @@ use super::{Pigment, Turbulence};
 use crate::math::{Color, DVec3, Rgb, Transform};
 use std::sync::Arc;
 
+/// `background`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Background {
+    /// As written.
+    pub color: Color,
+    /// It stood where a version below 3.7 was in force: its filter and transmit do not count, and a picture with
+    /// alpha does not show it.
+    pub legacy: bool,
+}
+
 /// `sky_sphere`: pigments on an infinite sphere, last on top.
 #[derive(Clone, Debug)]
 pub struct SkySphere {

@@ -46,7 +46,7 @@ pub struct Scene {
     /// The last camera.
     pub camera: Camera,
     /// `background`.
-    pub background: Option<crate::math::Color>,
+    pub background: Option<Background>,
     /// The last `sky_sphere`.
     pub sky_sphere: Option<SkySphere>,
     /// All `fog` statements.

@@ -33,12 +33,19 @@ pub struct Settings {
 /// How colours of the scene relate to linear light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gamma {
-    /// Version below 3.7 without `assumed_gamma`: values are display values (sRGB).
+    /// Version below 3.7 without `assumed_gamma`: values are display values (sRGB), pictures are taken as they are.
     None,
     /// `assumed_gamma` given while the version was below 3.7.
     Legacy(Working),
     /// `assumed_gamma` given or implied (1.0) at version 3.7.
     Linear(Working),
+}
+
+impl Gamma {
+    /// What holds where no `assumed_gamma` was met, by the version in hundredths.
+    pub fn implied(version: u32) -> Self {
+        if version < 370 { Self::None } else { Self::Linear(Working::Power(1.0)) }
+    }
 }
 
 /// A transfer curve.
@@ -86,6 +93,9 @@ pub struct Image {
     pub gamma: Option<Working>,
     /// `premultiplied` after the file name.
     pub premultiplied: Option<bool>,
+    /// How colours related to linear light where the picture was named: its values are brought into that space,
+    /// whatever the scene says later.
+    pub mode: Gamma,
 }
 
 /// Where pixels come from.

@@ -5,6 +5,21 @@ use std::path::Path;
 use std::process::Command;
 
 #[test]
+fn two_renders_give_the_same_file() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let scene = folder.path().join("scene.pov");
+    std::fs::write(&scene, SCENE).expect("written");
+    let file = |threads: &str| {
+        let output = folder.path().join("picture.exr");
+        let mut whitted = Command::new(env!("CARGO_BIN_EXE_whitted"));
+        whitted.args(["render", "-W", "40", "-H", "30", "-t", threads]).arg(&scene).arg("-o").arg(&output);
+        assert!(whitted.output().expect("whitted runs").status.success());
+        std::fs::read(output).expect("a picture")
+    };
+    assert!(file("1") == file("2"));
+}
+
+#[test]
 fn another_program_reads_our_layers() {
     let installed = Command::new("python3").args(["-c", "import OpenEXR, numpy"]).output();
     if !installed.is_ok_and(|o| o.status.success()) {

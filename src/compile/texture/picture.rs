@@ -24,7 +24,7 @@ impl TextureCompiler<'_> {
         let mut raster = match &map.image.source {
             ImageSource::File { path, format } => {
                 let pixels = self.pixels(path, *format)?;
-                let curve = color_curve(&map.image, *format, &pixels, self.settings.gamma);
+                let curve = color_curve(&map.image, *format, &pixels);
                 to_raster(&pixels, &curve, map.image.premultiplied)
             }
             ImageSource::Function { width, height, function } => sampled(*width, *height, function),
@@ -138,13 +138,13 @@ fn power(v: f32, gamma: f64) -> f32 {
 }
 
 /// Section 12 of the freeform facts.
-fn color_curve(image: &scene::Image, format: ImageFormat, pixels: &Pixels, mode: Gamma) -> Curve {
+fn color_curve(image: &scene::Image, format: ImageFormat, pixels: &Pixels) -> Curve {
     let own = match format {
         ImageFormat::Exr | ImageFormat::Hdr => Some(Working::Power(1.0)),
         _ if pixels.srgb => Some(Working::Srgb),
         _ => pixels.gamma.map(Working::Power),
     };
-    let (working, assumed) = match mode {
+    let (working, assumed) = match image.mode {
         Gamma::None => return Curve { decode: image.gamma, encode: None },
         Gamma::Legacy(working) => (working, None),
         Gamma::Linear(working) => (

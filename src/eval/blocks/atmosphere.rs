@@ -3,17 +3,17 @@
 use crate::diag::{SourceResult, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{Color, DVec3, Rgb, Transform};
-use crate::scene::{Blend, Fog, Pattern, PatternKind, Pigment, PigmentKind, Rainbow, SkySphere};
+use crate::scene::{Background, Blend, Fog, Pattern, PatternKind, Pigment, PigmentKind, Rainbow, SkySphere};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
 impl Evaluator<'_> {
     /// `{ COLOUR }` after `background`.
-    pub(super) fn background(&mut self) -> SourceResult<Color> {
+    pub(super) fn background(&mut self) -> SourceResult<Background> {
         self.open("background")?;
         let color = if self.at_punct('}')? { Color::BLACK } else { self.color()? };
         self.close("background")?;
-        Ok(color)
+        Ok(Background { color, legacy: self.effective_version() < 370 })
     }
 
     /// `{ … }` after `sky_sphere`.

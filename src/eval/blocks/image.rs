@@ -38,6 +38,7 @@ impl Evaluator<'_> {
                 source: ImageSource::Function { width, height, function },
                 gamma: None,
                 premultiplied: None,
+                mode: self.scene.settings.gamma,
             });
         }
         if self.starts_expression()? {
@@ -47,6 +48,7 @@ impl Evaluator<'_> {
             self.warn(Topic::Ignored, span, "an orientation vector before the file name has no effect");
         }
         let source = self.image_file()?;
+        let mode = self.scene.settings.gamma;
         let (mut gamma, mut premultiplied) = (None, None);
         loop {
             if self.accept(K::Gamma)? {
@@ -54,7 +56,7 @@ impl Evaluator<'_> {
             } else if self.accept(K::Premultiplied)? {
                 premultiplied = Some(self.optional_bool()?);
             } else {
-                return Ok(Image { source, gamma, premultiplied });
+                return Ok(Image { source, gamma, premultiplied, mode });
             }
         }
     }

@@ -28,7 +28,7 @@ impl Evaluator<'_> {
                     return Ok(true);
                 }
                 self.defaults.gamma_given = true;
-                let modern = self.version >= 370;
+                let modern = self.effective_version() >= 370;
                 self.scene.settings.gamma = if modern { Gamma::Linear(working) } else { Gamma::Legacy(working) };
             }
             K::AmbientLight => {
