@@ -1,6 +1,6 @@
 //! The language as POV-Ray 3.7.0.10 was measured to read it.
 //!
-//! Each test holds the probes of one section of the language facts.
+//! Each test names the section of the language facts whose probes it holds.
 
 use super::{Evaluator, Limits, Memory, NoQueries, Number, Options, Value, evaluate};
 use crate::diag::Severity;
@@ -89,6 +89,7 @@ fn string(expression: &str, expected: &str) {
     }
 }
 
+/// Language facts, section 1.
 #[test]
 fn lexical_rules() {
     check("/* a /* b */ c */ 1", &[1.0]);
@@ -111,12 +112,14 @@ fn lexical_rules() {
     fails("#if (0) \" #end F(1)", "never closed");
 }
 
+/// Language facts, section 1.
 #[test]
 fn byte_order_mark_switches_to_utf8() {
     let text = "\u{feff}#version 3.7; #debug str(asc(\"\u{e9}\"),0,0) #debug str(strlen(\"\u{e9}\u{20ac}\"),0,0)";
     prints_with(&[("main.pov", text)], "2332");
 }
 
+/// Language facts, section 2.
 #[test]
 fn reserved_words_cannot_be_declared() {
     for keyword in crate::syntax::Keyword::ALL {
@@ -129,6 +132,7 @@ fn reserved_words_cannot_be_declared() {
     refused("1*sqr(3)", "expected a number");
 }
 
+/// Language facts, section 3.
 #[test]
 fn separators() {
     check("pow(2 3)", &[8.0]);
@@ -142,6 +146,7 @@ fn separators() {
     prints("declare A = 2; F(A)", "2.000000 ");
 }
 
+/// Language facts, section 4.
 #[test]
 fn stored_colors_are_single_precision() {
     prints("#declare V=<.1,.2,.3,.4,.5>; #debug str(V.x,0,15)", "0.100000001490116");
@@ -149,6 +154,7 @@ fn stored_colors_are_single_precision() {
     prints("#declare C=rgb<.1,.2,.3>; #debug str((C*2).green,0,15)", "0.400000005960464");
 }
 
+/// Language facts, section 5.
 #[test]
 fn operators() {
     check("2--3", &[5.0]);
@@ -181,6 +187,7 @@ fn operators() {
     prints("#declare R=seed(1); #declare A=(1?5:rand(R)); #debug str(rand(R),0,15)", "0.487121198206935");
 }
 
+/// Language facts, section 5.
 #[test]
 fn widths() {
     check("5+x", &[6.0, 5.0, 5.0]);
@@ -204,6 +211,7 @@ fn widths() {
     prints("#declare T = transform { translate 5+u } F(1)", "1.000000 ");
 }
 
+/// Language facts, section 6.
 #[test]
 fn colors() {
     check("rgbt <1,2,3,4>", &[1.0, 2.0, 3.0, 0.0, 4.0]);
@@ -221,6 +229,7 @@ fn colors() {
     prints("#declare C = rgb 1; #declare D = C filter .5; #debug str(D.filter,0,2)", "0.50");
 }
 
+/// Language facts, section 7.
 #[test]
 fn float_functions() {
     check("int(-1.7)", &[-1.0]);
@@ -261,6 +270,7 @@ fn float_functions() {
     refused("pow(1>0,1)", "'>'");
 }
 
+/// Language facts, section 7.
 #[test]
 fn random_streams() {
     prints("#declare R=seed(1); #debug str(rand(R),0,15)", "0.421992875268215");
@@ -274,6 +284,7 @@ fn random_streams() {
     prints("#declare R=seed(5); #declare Q=seed(6); #declare T=R; F(Q) F(T)", "1.000000 0.000000 ");
 }
 
+/// Language facts, section 7.
 #[test]
 fn vector_functions() {
     check("vdot(<1,2,3>,<4,5,6>)", &[32.0]);
@@ -289,6 +300,7 @@ fn vector_functions() {
     string(&six("1"), "-0.387279 -0.145373 0.409631");
 }
 
+/// Language facts, section 7.
 #[test]
 fn string_functions() {
     string("str(-3.14159,-8,2)", "-0003.14");
@@ -316,6 +328,7 @@ fn string_functions() {
     refused("chr(65536)", "65535");
 }
 
+/// Language facts, section 8.
 #[test]
 fn scopes() {
     prints(
@@ -340,6 +353,7 @@ fn scopes() {
     fails("#declare Chrom=1; #declare B=Chrome;", "'Chrome' is not declared");
 }
 
+/// Language facts, section 9.
 #[test]
 fn conditions() {
     prints("#if (1) S(\"a\") #else S(\"b\") #end", "a ");
@@ -357,6 +371,7 @@ fn conditions() {
     fails("#if (1e999 - 1e999 = \"a\") #end", "expected a number");
 }
 
+/// Language facts, section 9.
 #[test]
 fn switches() {
     let cases = |value: &str, third: &str, end: &str| {
@@ -373,6 +388,7 @@ fn switches() {
     fails("#switch(1) 5 #case(1) #end", "expected #case");
 }
 
+/// Language facts, section 9.
 #[test]
 fn loops() {
     prints("#for(I,0,1,.1) S(\"x\") #end F(I)", "x x x x x x x x x x x 1.100000 ");
@@ -389,6 +405,7 @@ fn loops() {
     fails("#while (1) #end", "turns of loops");
 }
 
+/// Language facts, section 10.
 #[test]
 fn macros() {
     prints("#macro M(a) a* #end F(M(4) 5)", "20.000000 ");
@@ -409,6 +426,7 @@ fn macros() {
     fails("#macro M(a) #end M(Q)", "'Q' is not declared");
 }
 
+/// Language facts, section 10.
 #[test]
 fn arguments_by_reference_and_by_value() {
     let calls = |call: &str| format!("#macro M(a) #declare a=10; #end #declare Q=1; {call} F(Q)");
@@ -423,6 +441,7 @@ fn arguments_by_reference_and_by_value() {
     prints("#macro M(A) #declare A[0]=7; #end #declare Q=array[1]{1}; M(Q) F(Q[0])", "7.000000 ");
 }
 
+/// Language facts, section 11.
 #[test]
 fn arrays() {
     prints("#declare A=array[2.9]; F(dimension_size(A,1))", "2.000000 ");
@@ -446,6 +465,7 @@ fn arrays() {
     warns("#declare A=array[1]{1}; #macro M() #local A[0]=2; #end M()", "nothing is stored");
 }
 
+/// Language facts, section 12.
 #[test]
 fn includes() {
     prints_with(
@@ -469,6 +489,7 @@ fn includes() {
     assert!(error.is_some_and(|e| e.contains("include files inside one another")));
 }
 
+/// Language facts, section 12.
 #[test]
 fn file_output() {
     let text = "#version 3.7; #fopen W \"out\" write #write(W,1,2.5,1/3,123456789,1e-7,-0) #write(W,\"|\",x,\"\\n\") \
@@ -482,6 +503,7 @@ fn file_output() {
     assert_eq!(host.file("bin").as_deref(), Some(&b"\x7f\x80\x04\xfd\xff2295"[..]));
 }
 
+/// Language facts, section 12.
 #[test]
 fn file_input() {
     let reads = |data: &str, expected: &str| {
@@ -506,6 +528,7 @@ fn file_input() {
     );
 }
 
+/// Language facts, section 13.
 #[test]
 fn messages() {
     prints("#debug \"a\" #debug \"b\\nc\" #debug \"\\n\"", "ab\nc\n");
@@ -514,6 +537,7 @@ fn messages() {
     warns("#warning \"x\\ny\"", "x y");
 }
 
+/// Language facts, section 14.
 #[test]
 fn versions() {
     fails("#version 3.71;", "newer");
@@ -528,6 +552,7 @@ fn versions() {
     assert!(warnings.iter().any(|w| w.contains("#version")));
 }
 
+/// Language facts, section 15.
 #[test]
 fn directives_anywhere() {
     prints("#declare A = #if (1) 2; #else 3; #end F(A)", "2.000000 ");

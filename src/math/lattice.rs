@@ -264,7 +264,7 @@ mod tests {
     use crate::math::noise::{MAX_OCTAVES, lattice_hash};
     use pulp::Scalar256b;
 
-    /// The noise as section 5.2 writes it down, component by component.
+    /// The noise as section 5.2 of the function facts writes it down, component by component.
     fn plain(point: DVec3) -> DVec3 {
         let point = point.to_array();
         let n = point.map(|c| if c >= 0.0 { c.trunc() } else { (c - POV_ALMOST_ONE).trunc() });

@@ -304,7 +304,7 @@ mod tests {
 
     const GENERATORS: [NoiseGenerator; 3] = [Original, Corrected, Perlin];
 
-    /// Probes of section 5: the binary's own digits.
+    /// Probes of section 5 of the function facts: the binary's own digits.
     fn check(p: [f64; 3], expected: [f64; 3]) {
         for (generator, expected) in GENERATORS.into_iter().zip(expected) {
             let value = noise(generator, DVec3::from(p));
@@ -319,6 +319,7 @@ mod tests {
         check([0.0, 0.0, 0.0], [0.0565805, 0.2983224393079099, 0.5113543053730359]);
     }
 
+    /// The checks of sections 5.2 and 5.4 of the function facts.
     #[test]
     fn tables_match_the_facts() {
         assert_eq!([0, 1, 2, 3, 4, 5, 4095].map(permuted), [2291, 2574, 3654, 1557, 1196, 3388, 3088]);

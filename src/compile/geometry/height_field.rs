@@ -1,6 +1,6 @@
 //! Height fields: pixels become a grid of whole heights.
 //!
-//! Source: shape facts, freeform, section 3.
+//! Source: freeform facts, section 3.
 
 use crate::compile::picture::{decoder_name, stored_level};
 use crate::compiled::geometry::HeightGrid;
@@ -61,7 +61,7 @@ fn apply_gamma(pixels: &mut Pixels, gamma: Option<Working>) {
     }
 }
 
-/// How a picture that is not a palette holds its heights (shape facts, freeform, section 3).
+/// How a picture that is not a palette holds its heights (freeform facts, section 3).
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Levels {
     /// Colours of any range in floating point: the same numbers as 8-bit colours, wrapping around.
@@ -164,7 +164,7 @@ mod tests {
         assert_eq!(from_pixels(&pixels, Levels::of(&pixels, format)), expected, "{format:?} {rgb:?}");
     }
 
-    /// Probe values of section 3.
+    /// Probe values of section 3 of the freeform facts.
     #[test]
     fn heights_follow_the_kind_of_picture() {
         let byte = |v: u8| f32::from(v) / 255.0;

@@ -1,6 +1,6 @@
 //! Bézier patches, split into triangles as POV-Ray does.
 //!
-//! Source: shape facts, freeform, section 5.
+//! Source: freeform facts, section 5.
 
 use super::POV_TINY;
 use crate::compiled::geometry::MeshData;

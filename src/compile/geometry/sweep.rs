@@ -1,6 +1,6 @@
 //! Prisms, lathes, surfaces of revolution and sphere sweeps: points become polynomial pieces.
 //!
-//! Source of all layouts: shape facts, freeform, sections 6 to 10.
+//! Source of all layouts: freeform facts, sections 6 to 10.
 
 use crate::compiled::geometry::{
     Lathe, Outline, Prism, Segment, Shape as Compiled, Sor, SorSegment, SphereSweep, SweepSegment,

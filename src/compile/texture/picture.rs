@@ -137,7 +137,7 @@ fn power(v: f32, gamma: f64) -> f32 {
     if (gamma - 1.0).abs() < 0.01 { v } else { f64::from(v.max(0.0)).powf(gamma) as f32 }
 }
 
-/// Section 12 of the facts about free-form shapes.
+/// Section 12 of the freeform facts.
 fn color_curve(image: &scene::Image, format: ImageFormat, pixels: &Pixels) -> Curve {
     let own = match format {
         ImageFormat::Exr | ImageFormat::Hdr => Some(Working::Power(1.0)),

@@ -1,6 +1,6 @@
 //! Pictures in space: projection, interpolation, colours, heights and indices.
 //!
-//! Source: section 13 of the facts about free-form shapes (measured).
+//! Source: section 13 of the freeform facts (measured).
 
 use crate::math::{Color, DVec3, Rgb, floor, gray};
 use std::f64::consts::{PI, TAU};

@@ -28,7 +28,7 @@ impl Evaluator<'_> {
             self.comma()?;
         }
         self.close("finish")?;
-        // Source: shading facts 5.1; reflectances integrate to the given number.
+        // Source: shading facts, section 5.1; reflectances integrate to the given number.
         finish.raw_diffuse = finish.diffuse;
         if albedo.diffuse {
             let scale = (finish.brilliance + 1.0) / 2.0;

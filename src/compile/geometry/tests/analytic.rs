@@ -1,4 +1,5 @@
-//! Probe values of the analytic shapes and of solids: what `trace` and `inside` give in POV-Ray.
+//! Probe values of analytic shapes and of solids: what `trace` and `inside` give in POV-Ray (shape facts, sections 2 to
+//! 11).
 
 use super::*;
 

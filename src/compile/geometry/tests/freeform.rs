@@ -1,4 +1,4 @@
-//! Probe values of the freeform shape facts.
+//! Probe values of the freeform facts, sections 3 to 10.
 
 use super::{check, inside, moved, object, v};
 use crate::function::{Callable, Function, FunctionBody};

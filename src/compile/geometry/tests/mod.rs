@@ -1,4 +1,4 @@
-//! Shapes against the probe values of the fact files, and against properties that hold of every shape.
+//! Shapes against probe values (docs/povray), and against properties that hold of every shape.
 
 mod analytic;
 mod font;

@@ -1,4 +1,5 @@
-//! Probe values of the shape facts in POV-Ray's language: what a scene learns about its own objects.
+//! Probe values of the shape facts and of the freeform facts in POV-Ray's language: what a scene learns about its own
+//! objects.
 
 mod analytic;
 mod freeform;

@@ -20,7 +20,7 @@ impl Segment {
         Self::new([a, b - a, DVec2::ZERO, DVec2::ZERO])
     }
 
-    /// POV-Ray's quadratic spline from `p1` to `p2`. Source: shape facts, freeform, section 6.
+    /// POV-Ray's quadratic spline from `p1` to `p2`. Source: freeform facts, section 6.
     pub(crate) fn quadratic(p0: DVec2, p1: DVec2, p2: DVec2) -> Self {
         Self::new([p1, 0.5 * (p2 - p0), 0.5 * p0 - p1 + 0.5 * p2, DVec2::ZERO])
     }

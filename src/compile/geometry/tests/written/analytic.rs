@@ -1,4 +1,4 @@
-//! Analytic shapes and solids.
+//! Analytic shapes and solids: shape facts, sections 2 to 10.
 
 use super::*;
 

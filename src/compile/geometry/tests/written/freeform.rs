@@ -1,4 +1,5 @@
-//! Free-form shapes and text.
+//! Free-form shapes (freeform facts, sections 2 to 10), implicit ones (function facts, sections 9 to 11) and text (shape
+//! facts, section 8).
 
 use super::*;
 

@@ -23,7 +23,7 @@ fn first_object(scene: &str) -> u32 {
     met(scene, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], |surface| surface.object.0)
 }
 
-/// Surface coordinates, to the digits of the facts.
+/// Surface coordinates, to the digits that were measured: freeform facts, section 11.
 fn coordinates(object: &str, origin: [f64; 3], direction: [f64; 3], expected: [f64; 2]) {
     let found = met(object, origin, direction, |surface| surface.uv.get());
     assert!(found.distance(DVec2::from(expected)) < 1e-3, "{object}: {found}, expected {expected:?}");
@@ -100,6 +100,7 @@ fn shares_of_textures() {
     assert!(same(&shares(blob, [-0.25, 0.75]), &[0.1593, 0.1532, 0.6875], 1e-4), "{:?}", shares(blob, [-0.25, 0.75]));
 }
 
+/// Shape facts, section 13.
 #[test]
 fn of_coincident_objects_the_first_box_wins() {
     let (cube, wall, light) = ("box { <-1, -1, 0>, 1 }", "plane { -z, 0 }", "light_source { -9*z, 1 }");
