@@ -1,0 +1,31 @@
+"""Differences that we know and keep (docs/differences.md): what must not drown a report.
+
+A row is a name and a predicate over the text of a reduced scene and its outcome. The first that holds names the find.
+"""
+
+from __future__ import annotations
+
+import re
+
+from programs import Outcome
+
+
+def has(*patterns: str):
+    """Returns a predicate: every pattern occurs in the text."""
+    return lambda text, outcome: all(re.search(p, text) for p in patterns)
+
+
+KNOWN = [
+    ("fresnel when leaving a nested object", has(r"fresnel", r"interior")),
+    ("blur of orthographic and cylinder cameras", has(r"aperture", r"orthographic|cylinder [34]")),
+    ("poly, cubic, quartic: inside", has(r"\b(poly|cubic|quartic)\b", r"difference|intersection|merge|clipped_by")),
+    ("sphere_sweep: inside", has(r"sphere_sweep", r"difference|intersection|merge|clipped_by|trace|inside")),
+    ("cubic sphere_sweep: bounds", has(r"sphere_sweep", r"cubic_spline|b_spline")),
+    ("julia_fractal: normals of functions", has(r"julia_fractal", r"exp|sin|reciprocal|pwr")),
+    ("media", has(r"\bmedia\b")),
+]
+
+
+def name(text: str, outcome: Outcome) -> str:
+    """Returns the name of a known difference, or nothing."""
+    return next((label for label, holds in KNOWN if outcome.kind == "picture" and holds(text, outcome)), "")
