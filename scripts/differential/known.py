@@ -12,13 +12,19 @@ from programs import Outcome
 
 def has(*patterns: str):
     """Returns a predicate: every pattern occurs in the text."""
-    return lambda text, outcome: all(re.search(p, text) for p in patterns)
+    return lambda text, alpha: all(re.search(p, text) for p in patterns)
+
+
+def lacks_gamma(text: str, alpha: bool) -> bool:
+    """Version 3.7 by the end and no assumed_gamma."""
+    return bool(re.search(r"#version 3\.7|colors\.inc|new\.inc", text)) and "assumed_gamma" not in text
 
 
 KNOWN = [
+    ("gamma: 3.7 implied", lacks_gamma),
     ("fresnel when leaving a nested object", has(r"fresnel", r"interior")),
     ("blur of orthographic and cylinder cameras", has(r"aperture", r"orthographic|cylinder [34]")),
-    ("poly, cubic, quartic: inside", has(r"\b(poly|cubic|quartic)\b", r"difference|intersection|merge|clipped_by")),
+    ("poly, cubic, quartic: inside", has(r"\b(poly|cubic|quartic)\b", r"difference|intersection|merge|clipped_by {(?! box { -1.5, 1.5)")),
     ("sphere_sweep: inside", has(r"sphere_sweep", r"difference|intersection|merge|clipped_by|trace|inside")),
     ("cubic sphere_sweep: bounds", has(r"sphere_sweep", r"cubic_spline|b_spline")),
     ("julia_fractal: normals of functions", has(r"julia_fractal", r"exp|sin|reciprocal|pwr")),
@@ -26,6 +32,6 @@ KNOWN = [
 ]
 
 
-def name(text: str, outcome: Outcome) -> str:
+def name(text: str, outcome: Outcome, alpha: bool = False) -> str:
     """Returns the name of a known difference, or nothing."""
-    return next((label for label, holds in KNOWN if outcome.kind == "picture" and holds(text, outcome)), "")
+    return next((label for label, holds in KNOWN if outcome.kind == "picture" and holds(text, alpha)), "")

@@ -99,7 +99,7 @@ def patterned_pigment(g):
     maps = []
     if g.rng.random() < 0.85:
         if g.rng.random() < 0.1:
-            maps = [block(g.pick("color_map", "colour_map"), need(f"[0, .4 color {g.rgb()} color {g.rgb()}]"), leaf(f"[.4, 1.001 {g.rgb()} {g.rgb()}]"), feature="old_color_map")]
+            maps = [block(g.pick("color_map", "colour_map"), need(f"[0, .4 color {g.rgb()} color {g.rgb()}]"), leaf(f"[.4, 1.001 color {g.rgb()} color {g.rgb()}]"), feature="old_color_map")]
         elif g.depth < 5 and g.flip(0.2, "pigment"):
             maps = [block("pigment_map", *entries(g, "pigment body"), feature="pigment_map")]
         else:
@@ -140,7 +140,7 @@ def picture(g: Grammar) -> list[Node]:
 @production("pigment body", "pigment", 1.2)
 def image_map(g):
     made = picture(g)
-    made += g.maybe(0.2, f"{g.pick('filter', 'transmit')} {g.pick('all .5', '2, .7', '0 .9')}", "picture filter")
+    made += g.maybe(0.2, f"{g.pick('filter', 'transmit')} {g.pick('2, .7', '0 .9') if 'index' in made[0].head else 'all .5'}", "picture filter")
     return group(block("image_map", *made), *[g.make("transform") for _ in g.some(0, 1)], *g.maybe(0.3, "translate -.5 scale 2"))
 
 

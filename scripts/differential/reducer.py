@@ -114,10 +114,13 @@ def without(node: Node, gone: set[int]) -> Node:
 
 
 def drops(root: Node) -> Iterator[Edit]:
-    """Yields edits that drop a node, large ones first, those marked as needed last."""
+    """Yields edits that drop a node, large ones first, those marked as needed last.
+
+    A camera stays: at the origin, where it stands by default, too many surfaces meet it.
+    """
     order = sorted(root.walk(), key=lambda node: (node.keep, -node.size()))
     for node in order:
-        if node is not root:
+        if node is not root and not any(inner.sort == "camera" for inner in node.walk()):
             yield Edit(node.uid, lambda _: None)
 
 

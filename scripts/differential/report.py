@@ -28,7 +28,7 @@ class Report:
     def add(self, seed: str, root: Node, outcome: Outcome, work: Path, alpha: bool) -> bool:
         """Notes a reduced scene with the pictures in `work`; returns whether its kind is new."""
         text = root.text()
-        label = known.name(text, outcome)
+        label = known.name(text, outcome, alpha)
         key = label or f"{outcome.kind} {outcome.verdict.level if outcome.verdict else outcome.message[:50]}: {', '.join(features(root))}"
         with self.lock:
             fresh = key not in self.kinds
