@@ -12,7 +12,7 @@ def float_expression(g: Grammar, low: float, high: float) -> str | None:
     a, b = g.rng.uniform(0.2, 2), g.rng.uniform(0.1, 1.5)
     forms = [f"({target / a:.4g}*{a:.3g})", f"({target - b:.4g}+{b:.3g})", f"({target + b:.4g}-{b:.3g})", f"({target * a:.4g}/{a:.3g})", f"({b:.3g}>{a:.3g} ? {target:.3g} : {target * 0.9:.3g})",
              f'val("{target:.3g}")', f"<{a:.2g},{target:.3g},{b:.2g}>.y", f"vdot(<{target:.3g},{b:.2g},1>,x)", f"select({b - 1:.2g},{target:.3g},{(low + high) / 2:.3g})", f"({target:.3g}+0*sin({b:.3g}))", f"min({target:.3g},{high:.3g})",
-             f"({target:.3g}+.1*mod({a:.3g},.3)*0)", f"max({low:.3g},{target:.3g})", f"(rgb <{b:.2g},{target:.3g},0>).green", f"({target:.3g}*(strlen(\"a{{b\")=3))", f"({target:.3g}+!{b:.2g})", f"({target - 1:.4g}+pow({a:.2g},0))",
+             f"({target:.3g}+.1*mod({a:.3g},.3)*0)", f"max({low:.3g},{target:.3g})", f"({target:.3g}*(strlen(\"a{{b\")=3))", f"({target:.3g}+!{b:.2g})", f"({target - 1:.4g}+pow({a:.2g},0))",
              f"vlength(<{abs(target):.3g},0,0>)*{1 if target >= 0 else -1}", f"({target:.3g}+0*{b:.2g} & 1 ? {target:.3g} : 0)", f"abs({abs(target):.3g})*{1 if target >= 0 else -1}", f"({target:.3g}+(1 = 1)-(2 > 1))",
              f"({target:.4g}*asc(\"A\")/65)", f"vrotate(<{target:.3g},0,0>,360*y).x", f"({target:.3g}+int({b:.2g}/9))", f"div({target * 10:.0f},10)+0" if low < div10(target) < high else f"({target:.3g})"]
     if "Arr1" in g.names.get("array", []):
@@ -113,5 +113,5 @@ def numbers_shown(g):
 def old_words(g):
     return leaf(g.pick("composite { sphere { 0, .8 pigment { rgb x } } box { .5, 1 pigment { rgb y } } }", "sphere { 0, 1 texture { pigment { color red 1 green .5 } finish { ambient .2 } } }",
                        "sphere { 0, 1 pigment { color red .5 alpha .4 } }", "sphere { 0, 1 pigment { rgbf .7 } finish { refraction 1 ior 1.4 } }", "box { -1, 1 texture { tiles { texture { pigment { rgb x } } tile2 texture { pigment { rgb y } } } scale .5 } }", "sphere { 0, 1 pigment { marble color_map { [0, .5 color red 1 color blue 1] [.5, 1 color blue 1 color green 1] } } }",
-                       "sphere { 0, 1 pigment { quick_color rgb x rgb y } }", "quadric { <1,1,1>,<0,0,0>,<0,0,0>,-1 pigment { rgb 1 } }", "union { sphere { 0, 1 } bounded_by { sphere { 0, 1.1 } } pigment { rgb z } }", "sphere { 0, 1 pigment { onion turbulence .2 color_map { [0 rgb 0] [1 rgb 1] } } }",
+                       "sphere { 0, 1 pigment { quick_color rgb x gradient y } }", "quadric { <1,1,1>,<0,0,0>,<0,0,0>,-1 pigment { rgb 1 } }", "union { sphere { 0, 1 } bounded_by { sphere { 0, 1.1 } } pigment { rgb z } }", "sphere { 0, 1 pigment { onion turbulence .2 color_map { [0 rgb 0] [1 rgb 1] } } }",
                        "light_source { <2,3,-2> color red 1 spotlight point_at <0,0,0> tightness 5 radius 10 falloff 20 }", "sphere { 0, 1 texture { pigment { rgb 1 } finish { reflection .3 phong 1 phong_size 20 } normal { bumps .4 } } }"))

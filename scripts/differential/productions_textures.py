@@ -60,7 +60,7 @@ def plain_colour(g):
 @production("colour", "pigment")
 def odd_colour(g):
     forms = [f"rgbf <{g.unit()},{g.unit()},{g.unit()},{g.unit()}>", f"rgbt <{g.unit()},{g.unit()},{g.unit()},{g.unit()}>", f"color red {g.unit()} green {g.unit()}",
-             f"rgbft <{g.unit()},{g.unit()},{g.unit()},.3,.4>", f"rgb {g.vector(0, 1)} transmit {g.unit()}", f"rgb {g.number(0, 2)}", f"color {g.vector(0, 1)}", f"{g.vector(0, 1)}", f"rgb {g.vector(-1, 3)}",
+             f"rgbft <{g.unit()},{g.unit()},{g.unit()},.3,.4>", f"rgb {g.vector(0, 1)} transmit {g.unit()}", f"rgb {g.number(0, 2)}", f"color {g.vector(0, 1)}", f"rgb {g.vector(-1, 3)}",
              f"rgb <.2,.5,.8>*{g.number(0, 2)}", f"rgb .5 filter {g.unit()}", f"rgbt {g.unit()}", f"rgb <{g.unit()},{g.unit()},{g.unit()}>+{g.vector(0, 1)}*.2"]
     if g.has_gamma:
         forms += [f"srgb {g.vector(0, 1)}", f"srgbt <{g.unit()},{g.unit()},{g.unit()},.3>"]
@@ -133,7 +133,7 @@ PICTURES = ['png "rgb.png"', 'png "rgba.png"', 'png "grey.png"', 'png "greya.png
 def picture(g: Grammar) -> list[Node]:
     """Returns the inside of an image_map, image_pattern or bump_map."""
     made = [need(g.rng.choice(PICTURES) + (f" gamma {g.pick('1', '2.2', 'srgb', '1.8')}" if g.flip(0.08, "gamma") else "") + g.pick("", "", "", "", " premultiplied on", " premultiplied off"))]
-    made += g.maybe(0.5, f"map_type {g.pick('0', '1', '2', '5')}", "map_type") + g.maybe(0.4, f"interpolate {g.pick('2', '4', '0', '3')}", "interpolate") + g.maybe(0.25, "once", "once")
+    made += g.maybe(0.5, f"map_type {g.pick('0', '1', '2', '5')}", "map_type") + g.maybe(0.4, f"interpolate {g.pick('2', '4', '2')}", "interpolate") + g.maybe(0.25, "once", "once")
     return made
 
 

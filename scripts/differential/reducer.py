@@ -119,8 +119,9 @@ def drops(root: Node) -> Iterator[Edit]:
     A camera stays: at the origin, where it stands by default, too many surfaces meet it.
     """
     order = sorted(root.walk(), key=lambda node: (node.keep, -node.size()))
+    fixed = {inner.uid for node in root.walk() if any(i.sort == "camera" for i in node.walk()) for inner in (node, *node.children) if inner.keep or inner is node}
     for node in order:
-        if node is not root and not any(inner.sort == "camera" for inner in node.walk()):
+        if node is not root and node.uid not in fixed:
             yield Edit(node.uid, lambda _: None)
 
 
