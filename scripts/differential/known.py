@@ -20,7 +20,16 @@ def lacks_gamma(text: str, alpha: bool) -> bool:
     return bool(re.search(r"#version 3\.7|colors\.inc|new\.inc", text)) and "assumed_gamma" not in text
 
 
+def ties(text: str, alpha: bool) -> bool:
+    """A solid made of parts whose faces coincide by construction (issue 15, item 7)."""
+    from productions_shapes import TIES
+
+    bare = lambda t: re.sub(r"pigment \{[^{}]*\}|[\s]|\{[01]\}", "", t)
+    return any(bare(tie) in bare(text) for tie in TIES)
+
+
 KNOWN = [
+    ("ties of parts", ties),
     ("gamma: 3.7 implied", lacks_gamma),
     ("fresnel when leaving a nested object", has(r"fresnel", r"interior")),
     ("blur of orthographic and cylinder cameras", has(r"aperture", r"orthographic|cylinder [34]")),

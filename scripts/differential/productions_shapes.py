@@ -156,9 +156,9 @@ def isosurface(g):
     body = g.pick("x*x+y*y+z*z-.8", f"f_sphere(x,y,z,.8)+{g.number(0, 0.3)}*sin(9*x)*sin(8*y)", "f_torus(x,y,z,.7,.3)",
                   "f_rounded_box(x,y,z,.2,.8,.6,.7)", "abs(x)+abs(y)+abs(z)-1", "max(abs(x),abs(y),abs(z))-.7", "y-.3*sin(3*x)*z",
                   "f_heart(x,z,y,-1)", "f_noise3d(x*2,y*2,z*2)-.5", "min(f_sphere(x-.4,y,z,.6),f_sphere(x+.4,y,z,.6))", "x*y*z-.05", "f_ridged_mf(x,y,z,.1,3,6,.7,.7,2)-.6")
-    used = group(need(f"function {{ {body} }}"))
+    used = group(need(f"function {{ {body} }}"), need(f"max_gradient {g.pick('4', '10')}"), keep=True)
     used.children += [leaf(g.pick("contained_by { box { -1, 1 } }", "contained_by { sphere { 0, 1.2 } }", "contained_by { box { <-1,-.5,-1>, <1,.6,.8> } }")),
-                      leaf(f"max_gradient {g.pick('4', '10')}"), leaf("accuracy .0005")]
+                      leaf("accuracy .0005")]
     return [used, *g.maybe(0.3, "all_intersections", "all_intersections"), *g.maybe(0.15, "max_trace 3"), *g.maybe(0.4, "open", "open"), *g.maybe(0.1, "threshold .1"),
             *g.maybe(0.08, "evaluate 2, 1.2, .99")]
 

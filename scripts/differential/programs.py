@@ -79,7 +79,7 @@ def try_text(text: str, folder: Path, setup: Setup, alpha: bool = False) -> Outc
         (folder / name).unlink(missing_ok=True)
     size = [f"+W{setup.width}", f"+H{setup.height}"]
     theirs = [setup.povray, "+Iscene.pov", "+Otheirs.exr", "+FE", *size, "-A", "-D", "-P", "-V", "+WT1", "-GS", "-GR", "-GD", f"+L{setup.include}", f"+L{setup.assets}", *(["+UA"] if alpha else [])]
-    ours = [setup.whitted, "render", "scene.pov", "--output", "ours.exr", "-W", str(setup.width), "-H", str(setup.height), "-a", "off", "-t", "1", "-I", setup.include, "-I", str(setup.assets), *(["--alpha"] if alpha else []), *setup.extra]
+    ours = [setup.whitted, "render", "scene.pov", "--output", "ours.exr", "-W", str(setup.width), "-H", str(setup.height), "-a", "off", "-t", "1", "--isosurface-search", "povray", "-I", setup.include, "-I", str(setup.assets), *(["--alpha"] if alpha else []), *setup.extra]
     their_code, their_text, their_seconds = render(theirs, folder, setup.limit)
     with WORKING:
         our_code, our_text, our_seconds = render(ours, folder, setup.limit)

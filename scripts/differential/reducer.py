@@ -174,7 +174,10 @@ def headed(node: Node, head: str) -> Node:
 
 
 def simpler(number: str) -> list[str]:
-    """Returns numbers that are shorter to read, the shortest first."""
+    """Returns numbers that are shorter to read, the shortest first.
+
+    None becomes 0 or 1 that was not near: that would make faces meet, and one difference turn into another.
+    """
     value = float(number)
-    ways = ["0", "1", f"{value:.0f}", f"{value:.1g}", f"{value:.2g}"]
+    ways = [f"{value:.1g}", f"{value:.2g}"]
     return [way for i, way in enumerate(ways) if len(way) < len(number) and way != number and way not in ways[:i]]

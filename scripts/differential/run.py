@@ -25,7 +25,7 @@ import productions_shapes  # noqa: F401
 import productions_textures  # noqa: F401
 from grammar import Grammar
 from productions_scene import scene
-from programs import Outcome, Setup, try_text
+from programs import Outcome, Setup, shape, try_text
 from reducer import reduce
 from report import Report
 from tree import Node
@@ -42,6 +42,7 @@ class Run:
         assets.write(self.out / "assets")
         self.setup = Setup(whitted=str(Path(args.whitted).resolve()), limit=args.limit, assets=self.out / "assets")
         self.report = Report(self.out / "found")
+        self.early: collections.Counter[str] = collections.Counter()
         self.counts: collections.Counter[str] = collections.Counter()
         self.slots: queue.Queue[int] = queue.Queue()
         for slot in range(args.jobs):
@@ -70,6 +71,11 @@ class Run:
         """Reduces a scene that differs and reports it."""
         base = self.out / f"job{slot}"
         label = known.name(root.text(), outcome, alpha)
+        early = label or (outcome.kind + shape(outcome.message) if outcome.message else "")
+        if early and self.early[early] >= 2:
+            self.early[early] += 1
+            return
+        self.early[early] += 1
         alpha_matters = alpha and not self.again(root.text(), base / "0", False, outcome, label)
         keeps = lambda text, worker: self.again(text, base / str(worker), alpha_matters, outcome, label)
         small = reduce(root, keeps, workers=6, budget=self.args.budget)
@@ -107,7 +113,7 @@ def main() -> None:
     parser.add_argument("--whitted", default="target/release/whitted")
     parser.add_argument("--out", default="/tmp/differential")
     parser.add_argument("--limit", type=float, default=8, help="seconds for each program")
-    parser.add_argument("--budget", type=int, default=300, help="texts tried for one reduction")
+    parser.add_argument("--budget", type=int, default=150, help="texts tried for one reduction")
     parser.add_argument("--minutes", type=float, default=0, help="stop after so long")
     parser.add_argument("--chance", action="store_true", help="also what is chance by nature (jitter)")
     parser.add_argument("--scene", nargs="+", help="only compare these files")
@@ -129,7 +135,7 @@ def main() -> None:
     with ThreadPoolExecutor(args.jobs) as pool:
         for done in [pool.submit(run.one, seed) for seed in range(args.seed, args.seed + args.count)]:
             done.result()
-    print(f"{sum(run.counts.values())} scenes: {dict(run.counts)}; {len(run.report.kinds)} kinds, see {run.report.folder}/LIST.txt")
+    print(f"{sum(run.counts.values())} scenes: {dict(run.counts)}; {len(run.report.kinds)} kinds reduced; met without reducing again: {dict(run.early)}; see {run.report.folder}/LIST.txt")
 
 
 if __name__ == "__main__":
