@@ -39,6 +39,10 @@ KNOWN = [
     ("sphere_sweep: inside", has(r"sphere_sweep", r"difference|intersection|merge|clipped_by|trace|inside")),
     ("cubic sphere_sweep: bounds", has(r"sphere_sweep", r"cubic_spline|b_spline")),
     ("julia_fractal: normals of functions", has(r"julia_fractal", r"exp|sin|reciprocal|pwr")),
+    ("sky below 3.7 with +UA", lambda text, alpha: alpha and not re.search(r"#version 3\.7", text)),
+    ("slope in a sky_sphere", has(r"sky_sphere.*slope|sky_sphere[^#]*slope")),
+    ("spotlight parallel", has(r"spotlight", r"parallel")),
+    ("bicubic_patch clipped", has(r"bicubic_patch", r"clipped_by|intersection|difference|merge")),
     ("media", has(r"\bmedia\b")),
 ]
 

@@ -179,5 +179,5 @@ def simpler(number: str) -> list[str]:
     None becomes 0 or 1 that was not near: that would make faces meet, and one difference turn into another.
     """
     value = float(number)
-    ways = [f"{value:.1g}", f"{value:.2g}"]
+    ways = [f"{value:.1g}", f"{value:.2g}"] if abs(value) >= 1e-9 else []
     return [way for i, way in enumerate(ways) if len(way) < len(number) and way != number and way not in ways[:i]]

@@ -75,7 +75,8 @@ class Run:
         if early and self.early[early] >= 2:
             self.early[early] += 1
             return
-        self.early[early] += 1
+        if early:
+            self.early[early] += 1
         alpha_matters = alpha and not self.again(root.text(), base / "0", False, outcome, label)
         keeps = lambda text, worker: self.again(text, base / str(worker), alpha_matters, outcome, label)
         small = reduce(root, keeps, workers=6, budget=self.args.budget)
@@ -88,7 +89,7 @@ class Run:
         found = try_text(text, folder, self.setup, alpha)
         if known.name(text, found, alpha) != label:
             return False
-        return found.alike(outcome) and (found.verdict is None or found.verdict.count >= min(12, outcome.verdict.count))
+        return found.alike(outcome) and (found.verdict is None or found.verdict.overlaps(outcome.verdict))
 
     def count(self, seed: int, outcome: Outcome) -> None:
         """Counts an outcome."""

@@ -15,7 +15,7 @@ class Verdict:
     """What a comparison says.
 
     `level` is one of `LEVELS`; `count` says how many pixels show a difference; `pixel` is the clearest
-    one (column, row) with its linear values in both pictures.
+    one (column, row) with its linear values in both pictures; `where` marks all of them.
     """
 
     level: str
@@ -25,6 +25,17 @@ class Verdict:
     theirs: tuple[float, ...] = ()
     ours: tuple[float, ...] = ()
     why: str = ""
+    where: np.ndarray | None = None
+
+    def overlaps(self, other: Verdict) -> bool:
+        """Returns whether this difference lies where another one does, at least for a good part.
+
+        Used while reducing, so that one difference does not turn into another.
+        """
+        if self.where is None or other.where is None or self.where.shape != other.where.shape:
+            return self.why[:10] == other.why[:10]
+        both = int((self.where & other.where).sum())
+        return both >= 0.3 * self.count and both >= min(8, 0.3 * other.count)
 
     def line(self) -> str:
         """Returns the verdict in a line."""
@@ -86,7 +97,7 @@ def compare(theirs_path, ours_path) -> Verdict:
         level = "slight"
     score = np.where(solid(off), difference + np.minimum(error, 9) + 1000, difference + np.minimum(error, 9))
     y, x = np.unravel_index(np.argmax(score), score.shape)
-    return Verdict(level, int(off.sum()), float(difference.mean()), (int(x), int(y)), tuple(theirs[y, x]), tuple(ours[y, x]))
+    return Verdict(level, int(off.sum()), float(difference.mean()), (int(x), int(y)), tuple(theirs[y, x]), tuple(ours[y, x]), where=off)
 
 
 def shown_level(difference: np.ndarray) -> str:
