@@ -1,0 +1,52 @@
+"""Differences that we know and keep (docs/differences.md): what must not drown a report.
+
+A row is a name and a predicate over the text of a reduced scene and its outcome. The first that holds names the find.
+"""
+
+from __future__ import annotations
+
+import re
+
+from programs import Outcome
+
+
+def has(*patterns: str):
+    """Returns a predicate: every pattern occurs in the text."""
+    return lambda text, alpha: all(re.search(p, text) for p in patterns)
+
+
+def lacks_gamma(text: str, alpha: bool) -> bool:
+    """Version 3.7 by the end and no assumed_gamma."""
+    return bool(re.search(r"#version 3\.7|colors\.inc|new\.inc", text)) and "assumed_gamma" not in text
+
+
+def ties(text: str, alpha: bool) -> bool:
+    """A solid made of parts whose faces coincide by construction (issue 15, item 7)."""
+    from productions_shapes import TIES
+
+    bare = lambda t: re.sub(r"pigment \{[^{}]*\}|[\s]|\{[01]\}", "", t)
+    return any(bare(tie) in bare(text) for tie in TIES)
+
+
+KNOWN = [
+    ("ties of parts", ties),
+    ("gamma: 3.7 implied", lacks_gamma),
+    ("fresnel when leaving a nested object", has(r"fresnel", r"interior")),
+    ("blur of orthographic and cylinder cameras", has(r"aperture", r"orthographic|cylinder [34]")),
+    ("poly, cubic, quartic: inside", has(r"\b(poly|cubic|quartic)\b", r"difference|intersection|merge")),
+    ("fade of a parallel light", has(r"parallel", r"fade_")),
+    ("quadric: box of a paraboloid or hyperboloid", has(r"quadric", r"clipped_by|intersection|difference")),
+    ("sphere_sweep: inside", has(r"sphere_sweep", r"difference|intersection|merge|clipped_by|trace|inside")),
+    ("cubic sphere_sweep: bounds", has(r"sphere_sweep", r"cubic_spline|b_spline")),
+    ("julia_fractal: normals of functions", has(r"julia_fractal", r"exp|sin|reciprocal|pwr")),
+    ("sky below 3.7 with +UA", lambda text, alpha: alpha and not re.search(r"#version 3\.7", text)),
+    ("slope in a sky_sphere", has(r"sky_sphere.*slope|sky_sphere[^#]*slope")),
+    ("spotlight parallel", has(r"spotlight", r"parallel")),
+    ("bicubic_patch clipped", has(r"bicubic_patch", r"clipped_by|intersection|difference|merge")),
+    ("media", has(r"\bmedia\b")),
+]
+
+
+def name(text: str, outcome: Outcome, alpha: bool = False) -> str:
+    """Returns the name of a known difference, or nothing."""
+    return next((label for label, holds in KNOWN if outcome.kind == "picture" and holds(text, alpha)), "")

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""Renders random scenes with POV-Ray and with whitted and reduces what differs.
+
+Example: scripts/differential/run.py --seed 1 --count 500 --jobs 6 --area csg --whitted target/release/whitted --out /tmp/found
+"""
+
+from __future__ import annotations
+
+import argparse
+import collections
+import queue
+import resource
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import assets
+import known
+import productions_language  # noqa: F401  (registers productions)
+import productions_shapes  # noqa: F401
+import productions_textures  # noqa: F401
+from grammar import Grammar
+from productions_scene import scene
+from programs import Outcome, Setup, shape, try_text
+from reducer import reduce
+from report import Report
+from tree import Node
+
+AREAS = ["shape", "csg", "texture", "pigment", "pattern", "warp", "normal", "finish", "light", "interior", "camera", "air", "gamma", "transform", "language", "legacy", "flags"]
+
+
+class Run:
+    """One run: its settings, folders and counts."""
+
+    def __init__(self, args: argparse.Namespace):
+        self.args = args
+        self.out = Path(args.out).resolve()
+        assets.write(self.out / "assets")
+        self.setup = Setup(whitted=str(Path(args.whitted).resolve()), limit=args.limit, assets=self.out / "assets")
+        self.report = Report(self.out / "found")
+        self.early: collections.Counter[str] = collections.Counter()
+        self.counts: collections.Counter[str] = collections.Counter()
+        self.slots: queue.Queue[int] = queue.Queue()
+        for slot in range(args.jobs):
+            self.slots.put(slot)
+        self.reducing = threading.Semaphore(args.reducers)
+        self.start = time.monotonic()
+
+    def one(self, seed: int) -> None:
+        """Makes, renders, compares and if need be reduces one scene."""
+        if self.args.minutes and time.monotonic() - self.start > self.args.minutes * 60:
+            return
+        area = self.args.area or AREAS[seed % len(AREAS)]
+        root = scene(Grammar(seed, area, self.args.chance))
+        alpha = Grammar(seed, "alpha").rng.random() < 0.15
+        slot = self.slots.get()
+        try:
+            outcome = try_text(root.text(), self.out / f"job{slot}", self.setup, alpha)
+            self.count(seed, outcome)
+            if outcome.differs():
+                with self.reducing:
+                    self.follow(f"{area}:{seed}", root, outcome, slot, alpha)
+        finally:
+            self.slots.put(slot)
+
+    def follow(self, seed: str, root: Node, outcome: Outcome, slot: int, alpha: bool) -> None:
+        """Reduces a scene that differs and reports it."""
+        base = self.out / f"job{slot}"
+        label = known.name(root.text(), outcome, alpha)
+        early = label or (outcome.kind + shape(outcome.message) if outcome.message else "")
+        if early and self.early[early] >= 2:
+            self.early[early] += 1
+            return
+        if early:
+            self.early[early] += 1
+        alpha_matters = alpha and not self.again(root.text(), base / "0", False, outcome, label)
+        keeps = lambda text, worker: self.again(text, base / str(worker), alpha_matters, outcome, label)
+        small = reduce(root, keeps, workers=6, budget=self.args.budget)
+        last = try_text(small.text(), base / "last", self.setup, alpha_matters)
+        fresh = self.report.add(seed, small, last if last.differs() else outcome, base / "last", alpha_matters)
+        print(("NEW  " if fresh else "     ") + f"{seed} {last.line()}", flush=True)
+
+    def again(self, text: str, folder: Path, alpha: bool, outcome: Outcome, label: str) -> bool:
+        """Returns whether a text differs in the way of `outcome`, and is not a known difference that the scene was not."""
+        found = try_text(text, folder, self.setup, alpha)
+        if known.name(text, found, alpha) != label:
+            return False
+        return found.alike(outcome) and (found.verdict is None or found.verdict.overlaps(outcome.verdict))
+
+    def count(self, seed: int, outcome: Outcome) -> None:
+        """Counts an outcome."""
+        key = outcome.kind + (f" {outcome.verdict.level}" if outcome.kind == "picture" else "")
+        self.counts[key + (" (both refuse)" if "both refuse" in outcome.message else "")] += 1
+        total = sum(self.counts.values())
+        if outcome.kind == "skipped":
+            with open(self.out / "refused.txt", "a") as log:
+                log.write(f"{seed} {outcome.message}\n")
+        if total % 50 == 0:
+            print(f"-- {total}: {dict(self.counts)}", flush=True)
+
+
+def main() -> None:
+    """Reads the command line and runs."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seed", type=int, default=1, help="first seed")
+    parser.add_argument("--count", type=int, default=200, help="how many scenes")
+    parser.add_argument("--jobs", type=int, default=6, help="scenes at once; POV-Ray mostly sleeps")
+    parser.add_argument("--reducers", type=int, default=3, help="scenes reduced at once")
+    parser.add_argument("--area", choices=AREAS, help="the part of the language to look at (default: all in turn)")
+    parser.add_argument("--whitted", default="target/release/whitted")
+    parser.add_argument("--out", default="/tmp/differential")
+    parser.add_argument("--limit", type=float, default=8, help="seconds for each program")
+    parser.add_argument("--budget", type=int, default=150, help="texts tried for one reduction")
+    parser.add_argument("--minutes", type=float, default=0, help="stop after so long")
+    parser.add_argument("--chance", action="store_true", help="also what is chance by nature (jitter)")
+    parser.add_argument("--scene", nargs="+", help="only compare these files")
+    parser.add_argument("--alpha", action="store_true", help="with --scene: also with +UA")
+    parser.add_argument("--print", action="store_true", help="only print the scenes")
+    args = parser.parse_args()
+    if args.print:
+        for seed in range(args.seed, args.seed + args.count):
+            print(f"// {args.area or AREAS[seed % len(AREAS)]}:{seed}\n" + scene(Grammar(seed, args.area or AREAS[seed % len(AREAS)], args.chance)).text())
+        return
+    resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
+    run = Run(args)
+    if args.scene:
+        for path in args.scene:
+            for alpha in (False, True) if args.alpha else (False,):
+                found = try_text(Path(path).read_text(), run.out / "single", run.setup, alpha)
+                print(f"{path}{' +UA' if alpha else ''}: {found.line()}")
+        return
+    with ThreadPoolExecutor(args.jobs) as pool:
+        for done in [pool.submit(run.one, seed) for seed in range(args.seed, args.seed + args.count)]:
+            done.result()
+    print(f"{sum(run.counts.values())} scenes: {dict(run.counts)}; {len(run.report.kinds)} kinds reduced; met without reducing again: {dict(run.early)}; see {run.report.folder}/LIST.txt")
+
+
+if __name__ == "__main__":
+    main()
