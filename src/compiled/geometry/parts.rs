@@ -13,8 +13,8 @@ use std::ops::ControlFlow;
 /// With fewer children, going through all of them is faster.
 pub(super) const WORTH_A_TREE: usize = 8;
 
-/// Items in a leaf: a child's own box is tested again.
-const LEAF_SIZE: usize = 2;
+/// Boxes in a leaf, so that whatever is found has its own box met.
+const LEAF_SIZE: usize = 1;
 
 /// Children of a node by where they are.
 #[derive(Clone, Debug)]
@@ -70,10 +70,12 @@ impl Tree {
     /// Boxes that the ray may meet, in their order.
     pub(super) fn met_by(&self, ray: &Ray, range: Range) -> Positions {
         let mut met = Positions::new();
-        self.visit_met(ray, range, |i| {
-            met.push(i);
-            range.max
-        });
+        if !self.unbounded.is_empty() || SlabRay::new(ray).may_meet(&self.hull, range) {
+            self.visit_met(ray, range, |i| {
+                met.push(i);
+                range.max
+            });
+        }
         met.sort_unstable();
         met
     }
@@ -84,11 +86,7 @@ impl Tree {
         for i in &self.unbounded {
             end = end.min(visit(*i));
         }
-        let range = Range { max: end, ..range };
-        if !SlabRay::new(ray).may_meet(&self.hull, range) {
-            return;
-        }
-        let _: ControlFlow<()> = self.bvh.walk(ray, range, |run, t_max| {
+        let _: ControlFlow<()> = self.bvh.walk(ray, Range { max: end, ..range }, |run, t_max| {
             for i in &self.order[run] {
                 *t_max = t_max.min(visit(*i));
             }

@@ -50,14 +50,12 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Looks through a node's crossings in a range.
-    fn node(&mut self, index: u32, range: Range, is_root: bool) {
+    /// Looks through a node's crossings in a range, if the ray meets the node's box, where that is asked.
+    fn node(&mut self, index: u32, range: Range, asks_box: bool) {
         let geometry = self.geometry;
         let node = &geometry.nodes[index as usize];
         let range = Range { max: range.max.min(self.end()), ..range };
-        // What a file says about bounds is about whole objects.
-        let may_meet = !is_root && geometry.is_quick(node) || self.ray.may_meet(&node.bounds, range);
-        if !may_meet || !self.passes_bounds(node) {
+        if asks_box && !self.ray.may_meet(&node.bounds, range) || !self.passes_bounds(node) {
             return;
         }
         // Only what is inside of all clips is left in the end.
@@ -81,7 +79,7 @@ impl Search<'_> {
                     if let Some(range) = confines.left_to(i)
                         && !geometry.hides(*operation, child, self.kind)
                     {
-                        self.node(child, range, false);
+                        self.node(child, range, parts.is_none() && !geometry.is_quick(child));
                     }
                     self.end()
                 };
@@ -176,7 +174,7 @@ impl Search<'_> {
             self.geometry.node_contains(*bound, self.ray.ray.origin) || {
                 let kind = RayKind::Refracted;
                 let mut search = Search { kind, any: true, best: None, scratch: self.scratch, ..*self };
-                search.node(*bound, Range::FORWARD, false);
+                search.node(*bound, Range::FORWARD, !self.geometry.is_quick(*bound));
                 search.best.is_some()
             }
         })
@@ -195,6 +193,7 @@ impl Geometry {
         scratch: &mut Scratch,
     ) -> Option<Crossing> {
         let mut search = Search { geometry: self, ray: &SlabRay::new(ray), kind, any, best: None, scratch };
+        // What a file says about bounds is about whole objects.
         search.node(root, range, true);
         search.best
     }
@@ -217,7 +216,8 @@ impl Geometry {
     }
 
     /// Whether a node is found as soon as its box, which holds all of the shape.
-    fn is_quick(&self, node: &Node) -> bool {
+    fn is_quick(&self, node: u32) -> bool {
+        let node = &self.nodes[node as usize];
         match &node.kind {
             NodeKind::Primitive(p) if node.clips.is_empty() && node.bounded_by.is_empty() => {
                 let primitive = &self.primitives[*p as usize];

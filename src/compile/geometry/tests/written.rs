@@ -4,6 +4,7 @@
 mod analytic;
 mod freeform;
 mod looks;
+mod solids;
 
 use super::host;
 use crate::compile::Queries;

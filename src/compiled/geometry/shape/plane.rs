@@ -110,3 +110,22 @@ impl Primitive for Disc {
         LocalSurface::plain(ray.at(t).with_z(0.0), 0.0, DVec3::Z)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `inside(plane { y, 0 }, h * y)` of POV-Ray 3.7.0.10.
+    fn check(height: f64, expected: bool) {
+        let plane = Plane { normal: DVec3::Y, distance: 0.0 };
+        assert_eq!(plane.contains(DVec3::new(3.0, height, -2.0)), expected, "{height}");
+    }
+
+    #[test]
+    fn a_plane_is_as_thick_as_povrays() {
+        check(-1.0, true);
+        check(0.0, true);
+        check(0.99e-10, true);
+        check(1.01e-10, false);
+    }
+}

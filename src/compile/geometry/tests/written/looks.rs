@@ -8,7 +8,7 @@ use crate::eval::{Options, evaluate};
 use crate::math::{DVec2, DVec3, Range, Ray};
 
 /// What a ray meets first in a whole scene.
-fn met<T>(scene: &str, origin: [f64; 3], direction: [f64; 3], of: impl Fn(&Surface) -> T) -> T {
+pub(super) fn met<T>(scene: &str, origin: [f64; 3], direction: [f64; 3], of: impl Fn(&Surface) -> T) -> T {
     let text = format!("#version 3.7; {scene}");
     let read = evaluate("a.pov".as_ref(), &Options::default(), &host(&text), &Queries::default());
     let read = read.unwrap_or_else(|failed| panic!("{:?}\n{text}", failed.diagnostics));
@@ -115,47 +115,4 @@ fn of_coincident_objects_the_first_box_wins() {
     // Many of them, in whatever order the hierarchy holds them.
     let others: String = (0..20).map(|i| format!("{cube} sphere {{ <{i}, 5, 0>, 1 }} ")).collect();
     assert_eq!(first_object(&format!("sphere {{ 9*x, 1 }} {others} {light}")), 1);
-}
-
-/// Which of the parts 1, 2, 3 … of a solid a ray along z meets first, told by how deep they reach. `trace` gives a point
-/// and no texture, so parts are told apart by their texture's number.
-fn part_seen(solid: &str, expected: u32) {
-    let scene = format!(
-        "#macro B(I, A, Z) box {{ <-1, -1, A>, <1, 1, Z> pigment {{ rgb I }} }} #end
-        #macro P(I, A) plane {{ -z, -A pigment {{ rgb I }} }} #end {solid}"
-    );
-    let seen = met(&scene, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], |surface| surface.textures[0].texture.0);
-    assert_eq!(seen + 1, expected, "{solid}");
-}
-
-/// As POV-Ray 3.7.0.10 shows them; textures are numbered in the order of the parts.
-#[test]
-fn of_coincident_faces_of_a_solid_the_last_recorded_is_seen() {
-    part_seen("intersection { B(1, 0, 1) B(2, 0, 2) }", 2);
-    part_seen("intersection { B(1, 0, 1) B(2, 0, 2) B(3, 0, 3) B(4, 0, 4) }", 4);
-    part_seen("intersection { B(1, 0, 1) P(2, 0) }", 2);
-    part_seen("difference { B(1, 0, 1) B(2, -1, 0) }", 2);
-    part_seen("merge { P(1, 0) P(2, 1) }", 1);
-    part_seen("union { B(1, 0, 1) B(2, 0, 2) split_union off }", 2);
-    part_seen("union { B(1, 0, 1) B(2, 0, 2) clipped_by { box { -3, 3 } } }", 2);
-    // What is around takes the crossings of a part from the end.
-    part_seen("intersection { intersection { B(1, 0, 1) B(2, 0, 2) } box { -3, 3 } }", 1);
-    part_seen("intersection { B(1, 0, 1) intersection { B(2, 0, 2) B(3, 0, 3) } }", 2);
-    part_seen("intersection { union { B(1, 0, 1) B(2, 0, 2) } box { -3, 3 } }", 1);
-    part_seen(
-        "intersection { intersection { intersection { B(1, 0, 1) B(2, 0, 2) } box { -3, 3 } } box { -4, 4 } }",
-        2,
-    );
-    part_seen("union { union { B(1, 0, 1) B(2, 0, 2) } box { 5, 6 } split_union off }", 2);
-    part_seen("union { union { B(1, 0, 1) B(2, 0, 2) } box { 5, 6 } clipped_by { box { -7, 7 } } }", 1);
-}
-
-/// A union turned inside out twice has become a merge, in which no part is seen inside of another.
-#[test]
-fn a_union_turned_twice_is_a_merge() {
-    part_seen(
-        "difference { B(1, -3, 3) difference { B(2, -4, 4) union { B(3, -1, 1) B(4, 0, 2) } } clipped_by { plane { -z, -.5 } } }",
-        4,
-    );
-    part_seen("intersection { union { B(1, -1, 1) B(2, 0, 2) } clipped_by { plane { -z, -.5 } } }", 1);
 }
