@@ -42,6 +42,11 @@ struct Crossing {
     leaving: bool,
 }
 
+/// A ratio of indices, in single precision as in POV-Ray.
+fn ratio(a: f64, b: f64) -> f64 {
+    f64::from((a / b) as f32)
+}
+
 /// Index of the far side over that of the near side, for Fresnel's equations.
 ///
 /// Where the ray leaves an object that lies in another, this is the ratio that refraction
@@ -50,9 +55,9 @@ pub(super) fn relative_ior(interiors: &Interiors, substance: &Substance) -> f64 
     let own = substance.inside;
     let Some(last) = interiors.last() else { return own.ior };
     match interiors.iter().position(|i| i.key == own.key) {
-        None => own.ior / last.ior,
-        Some(0) if interiors.len() == 1 => 1.0 / own.ior,
-        Some(_) => last.ior / own.ior,
+        None => ratio(own.ior, last.ior),
+        Some(0) if interiors.len() == 1 => ratio(1.0, own.ior),
+        Some(_) => ratio(last.ior, own.ior),
     }
 }
 
@@ -64,7 +69,7 @@ fn crossing(interiors: &Interiors, substance: &Substance) -> Crossing {
     let Some(at) = interiors.iter().position(|i| i.key == own.key) else {
         list.push(own);
         let (ior, dispersion) = last.map_or((1.0, 1.0), |l| (l.ior, l.dispersion));
-        let (eta, dispersion) = (ior / own.ior, dispersion / own.dispersion);
+        let (eta, dispersion) = (ratio(ior, own.ior), dispersion / own.dispersion);
         return Crossing { eta, dispersion, samples, interiors: list, leaving: false };
     };
     let is_last = at + 1 == interiors.len();
@@ -73,7 +78,7 @@ fn crossing(interiors: &Interiors, substance: &Substance) -> Crossing {
         return Crossing { eta: 1.0, dispersion: 1.0, samples, interiors: list, leaving: true };
     }
     let (ior, dispersion) = list.last().map_or((1.0, 1.0), |l| (l.ior, l.dispersion));
-    let (eta, dispersion) = (own.ior / ior, own.dispersion / dispersion);
+    let (eta, dispersion) = (ratio(own.ior, ior), own.dispersion / dispersion);
     Crossing { eta, dispersion, samples, interiors: list, leaving: true }
 }
 

@@ -98,6 +98,16 @@ fn blobs() {
     extent("blob { threshold .5 sphere { 0, 2, 1 } sphere { -z, 1, -1 } }", [-2.0; 3], [2.0; 3]);
     let hollow = "blob { threshold -.1 sphere { 0, 1, -1 } }";
     within(hollow, &[("0", 0.0), ("3*x", 1.0)]);
+    // A part keeps its digits, however small it is beside the blob.
+    for size in ["1", ".01", ".001", ".0001", ".00001"] {
+        let text = format!(
+            "#declare R = {size}; #declare N = <0, 0, 0>;
+            #declare O = blob {{ sphere {{ <-8, 3, 0>, .5, 2 }} sphere {{ <8, 0, 0>, R, 2 }} }}
+            #declare P = trace(O, <-20, .1*R, 0>, x, N);
+            #debug str((P.x - 8)/R, 0, 12) #debug \" \" #debug vstr(2, N, \" \", 0, 12)"
+        );
+        prints(&text, &[-0.531_877_071, -0.982_780_680, 0.184_775_907], 1e-9);
+    }
 }
 
 #[test]

@@ -64,6 +64,11 @@ impl Pair {
         0.5 * (self.real * self.real + self.imaginary * self.imaginary).element_sum()
     }
 
+    #[inline]
+    pub(super) fn scaled(self, factor: f64) -> Self {
+        Self { real: self.real * factor, imaginary: self.imaginary * factor }
+    }
+
     pub(super) fn negated(self) -> Self {
         Self { real: -self.real, imaginary: -self.imaginary }
     }
