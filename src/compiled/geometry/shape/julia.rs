@@ -58,11 +58,6 @@ pub(crate) struct Julia {
 /// POV-Ray's length at which the search between two samples ends.
 const FINEST: f64 = 1e-7;
 
-/// POV-Ray's least distance of a hit, in world units; of a fractal made smaller, in its own. A ray that leaves
-/// a fractal often meets it again at once, for no reason but the roughness of the search; POV-Ray then sees
-/// nothing of the fractal.
-const NEAREST: f64 = 1e-4;
-
 /// POV-Ray's slope of half a squared length against a ray up to which hypercomplex sets are approached by the smallest
 /// steps, and how many of these the others may have.
 const LEAST_APPROACH: f64 = 2e-8;
@@ -88,6 +83,8 @@ enum Event {
 /// What POV-Ray's estimates want to know of a hypercomplex orbit.
 struct HyperOrbit {
     last: Pair,
+    /// Squared length of the last point: that of the first from its coordinates, as rays come in where it is all but the escape radius.
+    norm: f64,
     /// Of the derivatives, as POV-Ray has them, of all steps; of none, the last point.
     product: Pair,
     steps: usize,
@@ -95,8 +92,9 @@ struct HyperOrbit {
 
 impl HyperOrbit {
     fn new(start: DVec4) -> Self {
+        let norm = start.length_squared();
         let start = Pair::from(start);
-        Self { last: start, product: start, steps: 0 }
+        Self { last: start, norm, product: start, steps: 0 }
     }
 }
 
@@ -141,11 +139,13 @@ impl Julia {
         let escape = self.escape();
         if self.hypercomplex {
             let (mut q, c) = (Pair::from(start), Pair::from(self.parameter));
+            let mut norm = start.length_squared();
             for _ in 0..self.n_iterations {
-                if q.norm() > escape {
+                if norm > escape {
                     return false;
                 }
                 q = q.apply(self.function).plus(c);
+                norm = q.norm();
             }
         } else {
             let mut q = start;
@@ -172,7 +172,7 @@ impl Julia {
         }
         let mut orbit = HyperOrbit::new(start);
         for _ in 0..self.n_iterations {
-            if orbit.last.norm() > escape {
+            if orbit.norm > escape {
                 return (false, self.hypercomplex_step(&orbit, direction));
             }
             self.follow(&mut orbit);
@@ -187,6 +187,7 @@ impl Julia {
         let slope = self.slope(orbit.last, image);
         orbit.product = if orbit.steps == 0 { orbit.last } else { orbit.product.times(slope) };
         orbit.last = image.plus(self.parameter.into());
+        orbit.norm = orbit.last.norm();
         orbit.steps += 1;
     }
 
@@ -218,7 +219,7 @@ impl Julia {
 
     fn hypercomplex_step(&self, orbit: &HyperOrbit, direction: DVec3) -> f64 {
         let last = orbit.last.scaled(self.gradient_scale(orbit.steps));
-        let (n, approach) = (orbit.last.norm(), -2.0 * hypercomplex_gradient(orbit.product, last).dot(direction));
+        let (n, approach) = (orbit.norm, -2.0 * hypercomplex_gradient(orbit.product, last).dot(direction));
         let least = self.smallest_step * approach;
         if approach > LEAST_APPROACH && least < n && n < MOST_STEPS * least { n / approach } else { self.smallest_step }
     }
@@ -255,8 +256,7 @@ impl Julia {
     fn march(&self, ray: &Ray, range: Range, mut tell: impl FnMut(Event) -> bool) {
         let speed = ray.direction.length();
         let unit = Ray::new(ray.origin, ray.direction / speed);
-        let (b, c) = (2.0 * unit.origin.dot(unit.direction), unit.origin.length_squared() - self.radius.powi(2));
-        let Some([enter, leave]) = quadratic_roots(1.0, b, c) else { return };
+        let Some([enter, leave]) = self.passage(&unit) else { return };
         let end = leave.min(range.max * speed);
         if leave < FINEST {
             return;
@@ -288,6 +288,20 @@ impl Julia {
             }
             (s, step, inside) = (next, next_step, now_inside);
         }
+    }
+
+    /// Where a ray with unit direction enters and leaves the sphere around the set.
+    ///
+    /// The first sample lies there, and by its last digit is inside or not: so POV-Ray's own form is used, as long as
+    /// what cancels in it is less than the length at which a search ends.
+    fn passage(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let toward = -ray.origin.dot(ray.direction);
+        let (away, squared) = (ray.origin.length_squared(), self.radius * self.radius);
+        if away * f64::EPSILON > FINEST {
+            return quadratic_roots(1.0, -2.0 * toward, away - squared);
+        }
+        let half = (toward * toward - (away - squared)).sqrt();
+        (!half.is_nan()).then_some([toward - half, toward + half])
     }
 
     /// Halves a step until the change is found, and ends on its inner side.
@@ -332,11 +346,6 @@ fn halvings(s: f64, mut length: f64) -> [f64; AHEAD] {
     middles
 }
 
-/// The least parameter of a hit.
-fn nearest(ray: &Ray) -> f64 {
-    NEAREST / ray.direction.length().max(1.0)
-}
-
 impl Primitive for Julia {
     fn bounds(&self) -> Bounds {
         let half = DVec3::splat(self.radius);
@@ -344,7 +353,7 @@ impl Primitive for Julia {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        let nearest = nearest(ray);
+        let nearest = super::nearest(ray);
         self.march(ray, range, |event| {
             if let Event::Change(t) = event {
                 out.extend((t > nearest && range.contains(t)).then_some(ShapeHit { t, part: 0 }));
@@ -354,7 +363,7 @@ impl Primitive for Julia {
     }
 
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
-        let (mut hit, nearest) = (None, nearest(ray));
+        let (mut hit, nearest) = (None, super::nearest(ray));
         self.march(ray, range, |event| {
             if let Event::Change(t) = event {
                 hit = (t > nearest && range.contains(t)).then_some(ShapeHit { t, part: 0 });
@@ -384,7 +393,7 @@ impl Primitive for Julia {
             self.quaternion_gradient(&orbit)
         };
         let usable = gradient.is_finite() && gradient != DVec3::ZERO;
-        // Not the depth of the search: rays start where POV-Ray starts them, and NEAREST does the rest.
+        // Not the depth of the search: rays start where POV-Ray starts them, and the least distance does the rest.
         LocalSurface::plain(p, gamma(32) * self.radius, if usable { gradient } else { DVec3::X })
     }
 }

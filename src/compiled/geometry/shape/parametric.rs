@@ -187,7 +187,7 @@ impl Primitive for Parametric {
     /// finds itself there, and nothing else.
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
         let place = self.find(ray)?;
-        range.contains(place.t).then_some(ShapeHit { t: place.t, part: 0 })
+        (place.t > super::nearest(ray) && range.contains(place.t)).then_some(ShapeHit { t: place.t, part: 0 })
     }
 
     fn contains(&self, _p: DVec3) -> bool {

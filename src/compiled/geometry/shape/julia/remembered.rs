@@ -40,14 +40,15 @@ impl<'a> Remembered<'a> {
     /// Notes an orbit; whether it stays.
     fn follow(&mut self, start: DVec4) -> bool {
         let (mut q, c) = (Pair::from(start), Pair::from(self.julia.parameter));
-        let escape = self.julia.escape();
+        let (escape, mut norm) = (self.julia.escape(), start.length_squared());
         let Some((last, before)) = self.points.split_last_mut() else { return false };
         for point in before {
             *point = q;
-            if q.norm() > escape {
+            if norm > escape {
                 return false;
             }
             q = q.apply(self.julia.function).plus(c);
+            norm = q.norm();
         }
         *last = q;
         true
