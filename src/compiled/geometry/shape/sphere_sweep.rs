@@ -125,8 +125,8 @@ impl SweepSegment {
         // Where spheres touch the line only, steps just halve the error: then as many as there are digits.
         for _ in 0..f64::MANTISSA_DIGITS {
             let next = self.meet(o, d, self.deepest(o + d * place, run), side);
-            // NaN ends it, too.
-            if !((next - place) * side > gamma(2) * place.abs()) {
+            let gain = (next - place) * side;
+            if gain <= gamma(2) * place.abs() || gain.is_nan() {
                 break;
             }
             place = next;
