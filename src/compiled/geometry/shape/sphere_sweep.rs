@@ -7,7 +7,7 @@
 
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::slab::SlabRay;
-use crate::math::{Bounds, DVec3, Range, Ray, gamma, roots_in};
+use crate::math::{Bounds, DVec3, Range, Ray, gamma, quadratic_roots, roots_in};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
@@ -63,7 +63,7 @@ impl SweepSegment {
         if self.is_line { 1 } else { 3 }
     }
 
-    /// |p - C(u)|² - R(u)² as a polynomial in u.
+    /// F = |p - C(u)|² - R(u)² as a polynomial in u.
     fn power_of_point(&self, p: DVec3) -> Polynomial {
         let n = self.degree();
         let mut sum = Polynomial::from_elem(0.0, 2 * n + 1);
@@ -134,6 +134,28 @@ impl SweepSegment {
         place
     }
 
+    /// Both ends at once for a straight segment: at the run's ends, or on the cone that touches all spheres. There the
+    /// deepest u is linear in t, and F a quadratic.
+    fn line_ends(&self, o: DVec3, d: DVec3, run: [f64; 2]) -> [f64; 2] {
+        let (w, axis) = (o - self.center[0], self.center[1]);
+        let (r, widening) = (self.radius[0], self.radius[1]);
+        let [a, b] = run.map(|u| [-1.0, 1.0].map(|side| self.meet(o, d, u, side)));
+        let mut ends = [a[0].min(b[0]), a[1].max(b[1])];
+        let square = axis.length_squared() - widening * widening;
+        if square <= 0.0 {
+            return ends; // one sphere holds all others
+        }
+        let (start, rate) = ((axis.dot(w) + r * widening) / square, axis.dot(d) / square);
+        let linear = 2.0 * (w.dot(d) - square * start * rate);
+        let constant = w.length_squared() - r * r - square * start * start;
+        for t in quadratic_roots(1.0 - square * rate * rate, linear, constant).into_iter().flatten() {
+            if (run[0]..=run[1]).contains(&(start + rate * t)) {
+                ends = [ends[0].min(t), ends[1].max(t)];
+            }
+        }
+        ends
+    }
+
     /// Stretches of a line with unit direction inside.
     fn stretches(&self, o: DVec3, d: DVec3, segment: u32, out: &mut Vec<Stretch>) {
         let margin = self.margin(o, d);
@@ -143,7 +165,11 @@ impl SweepSegment {
         let pairs = edges.windows(2).filter(|pair| pair[0] < pair[1]);
         let mut run: Option<[f64; 2]> = None;
         let mut record = |run: [f64; 2]| {
-            let (low, high) = (self.end(o, d, run, -1.0), self.end(o, d, run, 1.0));
+            let [low, high] = if self.is_line {
+                self.line_ends(o, d, run)
+            } else {
+                [-1.0, 1.0].map(|side| self.end(o, d, run, side))
+            };
             out.push(Stretch { low, high, low_segment: segment, high_segment: segment });
         };
         for pair in pairs {
