@@ -119,7 +119,8 @@ fn interior(interior: &scene::Interior) -> Interior {
     let fade =
         InteriorFade { distance: interior.fade_distance, power: interior.fade_power, color: interior.fade_color };
     Interior {
-        ior: if has_ior { interior.ior } else { 1.0 },
+        // Single precision, as in POV-Ray: fine patterns far behind show it.
+        ior: if has_ior { f64::from(interior.ior as f32) } else { 1.0 },
         dispersion: if has_ior { interior.dispersion } else { 1.0 },
         dispersion_samples: interior.dispersion_samples,
         fade: (interior.fade_distance.abs() > TINY).then_some(fade),

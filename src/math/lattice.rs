@@ -120,6 +120,8 @@ fn vector(f64x4(x, y, z, _): f64x4) -> DVec3 {
 const POV_ALMOST_ONE: f64 = 1.0 - 1e-10;
 /// Moves cells of ordinary coordinates into positive numbers, as in POV-Ray.
 const POV_OFFSET: f64 = 10_000.0;
+/// POV-Ray's cells are 32-bit integers: a coordinate beyond them is in the lowest one, however far from it.
+pub(super) const LOWEST_CELL: f64 = i32::MIN as f64;
 /// What brings a whole number (below 2^51), moved by the offset, into the lowest bits of a double's mantissa.
 const TO_BITS: f64 = ((1_u64 << 52) + (1 << 51)) as f64 + POV_OFFSET;
 
@@ -151,6 +153,8 @@ impl Sides {
         let below = simd.sub_f64s(coordinates, simd.splat_f64s(POV_ALMOST_ONE));
         let positive = simd.greater_than_or_equal_f64s(coordinates, simd.splat_f64s(0.0));
         let whole = simd.truncate(simd.select_f64s(positive, coordinates, below));
+        let has_cell = simd.less_than_f64s(simd.abs_f64s(coordinates), simd.splat_f64s(-LOWEST_CELL));
+        let whole = simd.select_f64s(has_cell, whole, simd.splat_f64s(LOWEST_CELL));
         let lower = simd.transmute_u64s_f64s(simd.add_f64s(whole, simd.splat_f64s(TO_BITS)));
         let fraction = simd.sub_f64s(coordinates, whole);
         let twice = simd.add_f64s(fraction, fraction);

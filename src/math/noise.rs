@@ -152,7 +152,7 @@ static GRADIENTS: LazyLock<Gradients> = LazyLock::new(|| {
 fn perlin(p: DVec3) -> f64 {
     let tables = &*GRADIENTS;
     let t = (p + DVec3::splat(PERLIN_OFFSET)).to_array();
-    let n = t.map(floor);
+    let n = t.map(|t| if t.abs() < -lattice::LOWEST_CELL { floor(t) } else { lattice::LOWEST_CELL });
     let [x, y, z]: [[f64; 2]; 3] = std::array::from_fn(|i| [t[i] - n[i], t[i] - n[i] - 1.0]);
     let sides = n.map(|n| [n as i64 as usize, n as i64 as usize + 1]);
     let hash = |i: usize| usize::from(tables.permutation[i % PERLIN_PERIOD]);
@@ -317,6 +317,16 @@ mod tests {
         check([0.1, 0.2, 0.3], [0.2992429090099138, 0.4171920326566367, 0.6522608537200985]);
         check([-1.5, 20.25, -300.75], [0.1429327293701172, 0.3406225814348368, 0.5560833000176794]);
         check([0.0, 0.0, 0.0], [0.0565805, 0.2983224393079099, 0.5113543053730359]);
+        // Around the last cell, from where on fractions grow.
+        check([2_147_483_647.5, 0.3, 0.2], [0.1743147895647999, 0.3559952662647925, 1.0]);
+        check([2_147_483_648.0, 0.3, 0.2], [1.0; 3]);
+        check([-2_147_483_648.5, 0.3, 0.2], [0.0, 0.0804132181392583, 0.5230934864638922]);
+        check([-2_147_483_649.0, 0.3, 0.2], [0.058625114915841, 0.2993240058240935, 0.5777458706592935]);
+        check([0.1, -2_147_483_649.3, 0.2], [0.0, 0.0, 0.4525723176907134]);
+        check([0.1, 2_137_483_648.6, 0.2], [0.3081570315171266, 0.4215586674469878, 0.0]);
+        check([-2_157_483_648.5, 0.3, 0.2], [1.0, 1.0, 0.0]);
+        check([3e9 + 0.37, 0.3, 0.2], [1.0; 3]);
+        check([0.3, 3e9 + 0.37, 0.2], [0.0; 3]);
     }
 
     /// The checks of sections 5.2 and 5.4 of the function facts.
@@ -332,7 +342,7 @@ mod tests {
     #[test]
     fn four_points_have_the_bits_of_each() {
         let octaves = Octaves { count: 7, lambda: 2.1, omega: 0.55 };
-        for step in [0.0, 0.003, 0.4, -70.0] {
+        for step in [0.0, 0.003, 0.4, -70.0, 1.5e9] {
             let points = Points::from(each_lane(|i| DVec3::new(-0.3, 1.7, 0.2) + i as f64 * step * DVec3::NEG_X));
             for generator in GENERATORS {
                 assert_eq!(noise_of_points(generator, &points), points.map(|p| noise(generator, p)));
@@ -356,6 +366,14 @@ mod tests {
         let six = Octaves { count: 6, lambda: 2.1, omega: 0.55 };
         close(vector_turbulence(six, p), [-0.12238755877249917, -0.2802788412191853, -0.5072707739414756]);
         let four = Octaves { count: 4, lambda: 2.3, omega: 0.4 };
+        // Beyond the last cell nothing is clamped: the corners' values times a fraction to the seventh.
+        let far = vector_turbulence(one, DVec3::new(3e9 + 0.37, 0.3, 0.2));
+        let expected = DVec3::new(
+            533_663_574_204_326_203_301_070_603_246_179_975_168.0,
+            -1_492_197_118_801_518_400_360_405_294_140_388_016_128.0,
+            982_009_019_775_041_687_136_469_655_295_556_059_136.0,
+        );
+        assert!((far - expected).abs().max_element() < 1e25, "{far} for {expected}");
         let expected = [1.829739707481727, 1.8779891184926383, 2.106165574255146];
         for (generator, expected) in GENERATORS.into_iter().zip(expected) {
             let value = 1.2 + turbulence(generator, four, DVec3::new(1.2, 3.4, 5.6));

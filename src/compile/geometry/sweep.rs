@@ -72,7 +72,10 @@ pub(super) fn lathe(spline: SweepSpline, p: &[DVec2]) -> Compiled {
         SweepSpline::Bezier => p.chunks_exact(4).map(|w| Segment::bezier([w[0], w[1], w[2], w[3]])).collect(),
         _ => p.windows(4).map(|w| Segment::cubic([w[0], w[1], w[2], w[3]])).collect(),
     };
-    Compiled::Lathe(Lathe::new(segments))
+    // POV-Ray's core is as thick as the box around the curve leaves room for, which for Bézier curves holds all points.
+    let least = || p.iter().map(|point| point.x).fold(f64::INFINITY, f64::min);
+    let hollow = matches!(spline, SweepSpline::Bezier).then(least);
+    Compiled::Lathe(Lathe::new(segments, hollow))
 }
 
 /// A surface of revolution; the first and last point only steer.

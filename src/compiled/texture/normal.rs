@@ -153,7 +153,8 @@ impl Normal {
 
     /// Lets bumps keep their depth when they are scaled.
     pub fn keep_bump_depth(&mut self) {
-        self.no_bump_scale = true;
+        // POV-Ray's facets do not heed it.
+        self.no_bump_scale = !matches!(self.kind, NormalKind::Facets(..));
         match &mut self.kind {
             NormalKind::Normals(_, normals) => normals.iter_mut().for_each(Self::keep_bump_depth),
             NormalKind::Uv(inner) => inner.keep_bump_depth(),

@@ -63,7 +63,7 @@ pub(super) struct Crossing {
 impl Crossing {
     /// Index behind over index ahead.
     pub(super) fn eta(&self) -> f64 {
-        self.behind.ior / self.ahead.ior
+        ratio(self.behind.ior, self.ahead.ior)
     }
 
     /// The same ratio for dispersion.
@@ -112,15 +112,20 @@ impl Interiors {
         let own = object.index.ior;
         let Some(last) = self.0.last() else { return own };
         match self.position(object) {
-            None => own / last.index.ior,
-            Some(0) if self.0.len() == 1 => 1.0 / own,
-            Some(_) => last.index.ior / own,
+            None => ratio(own, last.index.ior),
+            Some(0) if self.0.len() == 1 => ratio(1.0, own),
+            Some(_) => ratio(last.index.ior, own),
         }
     }
 
     fn position(&self, object: &Inside) -> Option<usize> {
         self.0.iter().position(|inside| inside.key == object.key)
     }
+}
+
+/// A ratio of indices, in single precision as in POV-Ray.
+fn ratio(a: f64, b: f64) -> f64 {
+    f64::from((a / b) as f32)
 }
 
 /// What fills the object of a surface; a legacy finish may give it another index.
@@ -145,7 +150,7 @@ mod tests {
 
     fn check(inside: &mut Interiors, object: Inside, leaving: bool, eta: f64, n: usize) {
         let crossing = inside.cross(object);
-        assert_eq!((crossing.leaving, crossing.eta(), inside.0.len()), (leaving, eta, n));
+        assert_eq!((crossing.leaving, crossing.eta(), inside.0.len()), (leaving, ratio(eta, 1.0), n));
     }
 
     #[test]
@@ -154,7 +159,7 @@ mod tests {
         let mut inside = Interiors::default();
         assert_eq!(inside.relative_ior(&water), 1.25);
         check(&mut inside, water, false, 1.0 / 1.25, 1);
-        assert_eq!(inside.relative_ior(&glass), 1.2);
+        assert_eq!(inside.relative_ior(&glass), ratio(1.2, 1.0));
         check(&mut inside, glass, false, 1.25 / 1.5, 2);
         check(&mut inside, glass, true, 1.5 / 1.25, 1);
         check(&mut inside, water, true, 1.25, 0);

@@ -4,7 +4,7 @@ use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::TextureId;
 use crate::compiled::geometry::graph::padded;
 use crate::compiled::geometry::parts::{Positions, Tree, WORTH_A_TREE};
-use crate::math::{Bounds, DVec3, Range, Ray, Transform, gamma, quadratic_roots, roots_in};
+use crate::math::{Bounds, DVec3, Range, Ray, Transform, gamma, roots_in};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
@@ -49,18 +49,35 @@ pub(crate) struct Blob {
     tree: Option<Arc<Tree>>,
 }
 
-/// Some parts, in their order.
-type Near<'a> = SmallVec<[&'a BlobPart; 16]>;
-
 /// POV-Ray's slack of the inside test.
 const INSIDE_SLACK: f64 = 1e-6;
 
-/// A stretch of a ray within the influence of a part: the squared distance as a quadratic of t.
+/// A stretch of a ray within the influence of a part, whose field is strength (peak - fall (t - nearest)²)² there.
+///
+/// Each has its own origin, so that a part much smaller than the blob keeps its digits.
+#[derive(Clone, Copy)]
 struct Stretch {
     low: f64,
     high: f64,
-    /// Field along the ray, rising.
-    field: [f64; 5],
+    /// Where the ray comes nearest to the core.
+    nearest: f64,
+    peak: f64,
+    fall: f64,
+    strength: f64,
+}
+
+impl Stretch {
+    /// Adds the field from `t` on to a polynomial that rises in powers of steps of some length.
+    #[inline]
+    fn add_from(&self, t: f64, length: f64, sum: &mut [f64; 5]) {
+        let from = t - self.nearest;
+        let k = self.peak - self.fall * from * from;
+        let (l, m) = (-2.0 * self.fall * from * length, -self.fall * length * length);
+        let terms = [k * k, 2.0 * k * l, l * l + 2.0 * k * m, 2.0 * l * m, m * m];
+        for (total, term) in sum.iter_mut().zip(terms) {
+            *total += self.strength * term;
+        }
+    }
 }
 
 impl BlobPart {
@@ -86,10 +103,10 @@ impl BlobPart {
         (self.strength * rest * rest, self.blob_from_part.normal(gradient))
     }
 
-    /// The field along a ray, measured from `start` on; `None` where the ray stays outside.
-    fn stretch(&self, ray: &Ray, start: f64) -> Option<Stretch> {
+    /// The field along a ray; `None` where the ray stays outside.
+    fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let local = self.blob_from_part.inverse_ray(ray);
-        let (mut o, mut d) = (local.at(start), local.direction);
+        let (mut o, mut d) = (local.origin, local.direction);
         let (z, dz) = (o.z, d.z);
         let (from, to) = match self.core {
             Core::Point => (f64::NEG_INFINITY, f64::INFINITY),
@@ -103,21 +120,23 @@ impl BlobPart {
                 (length, f64::INFINITY)
             }
         };
-        let r2 = self.radius * self.radius;
-        let (a, b, c) = (d.length_squared(), 2.0 * o.dot(d), o.length_squared());
-        let (low, high) = if a > 0.0 {
-            let [low, high] = quadratic_roots(a, b, c - r2)?;
-            (low, high)
-        } else if c < r2 {
-            (f64::NEG_INFINITY, f64::INFINITY)
-        } else {
+        let speed = d.length_squared();
+        let way = |o: DVec3| if speed > 0.0 { -o.dot(d) / speed } else { 0.0 };
+        // From far away, the rounding of the first way is what the second finds.
+        let first = way(o);
+        let second = way(o + d * first);
+        let distance = (o + d * first + d * second).length();
+        let radius = self.radius.abs();
+        if distance >= radius {
             return None;
-        };
-        let Range { min: low, max: high } = Range { min: low, max: high }.between([from, to], z, dz);
-        // strength (1 - (c + b s + a s²) / R²)².
-        let (k, l, m) = (1.0 - c / r2, -b / r2, -a / r2);
-        let field = [k * k, 2.0 * k * l, l * l + 2.0 * k * m, 2.0 * l * m, m * m].map(|f| f * self.strength);
-        (low < high).then_some(Stretch { low, high, field })
+        }
+        let (nearest, rest) = (first + second, (radius - distance) * (radius + distance));
+        let half = (rest / speed).sqrt();
+        let within = Range { min: nearest - half, max: nearest + half };
+        let Range { min: low, max: high } = within.between([from, to], z, dz);
+        let squared = radius * radius;
+        let (peak, fall) = (rest / squared, speed / squared);
+        (low < high).then_some(Stretch { low, high, nearest, peak, fall, strength: self.strength })
     }
 
     /// A box around the part's influence.
@@ -148,20 +167,19 @@ impl Blob {
     }
 
     fn field(&self, p: DVec3) -> f64 {
-        self.felt_at(p).iter().map(|part| part.sample(p).0).sum()
+        self.felt_at(p).map(|i| self.parts[i].sample(p).0).sum()
     }
 
-    /// Parts that may be felt at a point, and others.
-    fn felt_at(&self, p: DVec3) -> Near<'_> {
-        self.near(|tree| tree.around(p))
+    /// Parts that may be felt at a point, and others, in their order.
+    fn felt_at(&self, p: DVec3) -> impl DoubleEndedIterator<Item = usize> {
+        self.near(move |tree| tree.around(p))
     }
 
     /// The parts that a search finds, or all.
-    fn near(&self, search: impl FnOnce(&Tree) -> Positions) -> Near<'_> {
-        match &self.tree {
-            Some(tree) => search(tree).into_iter().map(|i| &self.parts[i as usize]).collect(),
-            None => self.parts.iter().collect(),
-        }
+    fn near(&self, search: impl FnOnce(&Tree) -> Positions) -> impl DoubleEndedIterator<Item = usize> {
+        let all = if self.tree.is_some() { 0 } else { self.parts.len() };
+        let found = self.tree.as_ref().map(|tree| search(tree)).unwrap_or_default();
+        found.into_iter().map(|i| i as usize).chain(0..all)
     }
 
     /// The parts felt at a point, by number, with their shares in the texture. Empty if no part has a texture. The
@@ -170,10 +188,45 @@ impl Blob {
         if !self.has_textures {
             return SmallVec::new();
         }
-        let weights = self.parts.iter().enumerate().rev().map(|(i, part)| (i as u32, part.sample(p).0.abs()));
+        let weights = self.felt_at(p).rev().map(|i| (i as u32, self.parts[i].sample(p).0.abs()));
         let felt: SmallVec<[_; 4]> = weights.filter(|(_, w)| *w > 0.0).collect();
         let sum: f64 = felt.iter().map(|(_, w)| w).sum();
         felt.into_iter().map(|(i, w)| (i, (w / sum) as f32)).collect()
+    }
+
+    /// Goes along a ray to every place where the field takes the threshold, until `found` returns false. Between the
+    /// places where the ray enters or leaves a part the field is one quartic.
+    fn search(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
+        let met = self.near(|tree| tree.met_by(ray, range));
+        let mut stretches: SmallVec<[Stretch; 8]> = met.filter_map(|i| self.parts[i].stretch(ray)).collect();
+        stretches.sort_unstable_by(|a, b| a.low.total_cmp(&b.low));
+        let mut ahead = stretches.iter().peekable();
+        let mut within: SmallVec<[&Stretch; 16]> = SmallVec::new();
+        let mut at = range.min;
+        while at < range.max {
+            if within.is_empty() {
+                let Some(next) = ahead.peek() else { return };
+                at = at.max(next.low);
+            }
+            within.extend(std::iter::from_fn(|| ahead.next_if(|s| s.low <= at)));
+            let next = ahead.peek().map_or(range.max, |s| s.low.min(range.max));
+            let end = within.iter().fold(next, |end, s| end.min(s.high));
+            if at < end && !self.search_piece(&within, [at, end], &mut found) {
+                return;
+            }
+            at = at.max(end);
+            within.retain(|s| s.high > at);
+        }
+    }
+
+    /// The same between two places.
+    fn search_piece(&self, within: &[&Stretch], [at, end]: [f64; 2], mut found: impl FnMut(f64) -> bool) -> bool {
+        let length = end - at;
+        let mut sum = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
+        for stretch in within {
+            stretch.add_from(at, length, &mut sum);
+        }
+        roots_in(&sum, 0.0, 1.0).into_iter().all(|u| found(at + u * length))
     }
 }
 
@@ -182,36 +235,20 @@ impl Primitive for Blob {
         self.bounds
     }
 
-    /// Between the places where the ray enters or leaves a part the field is one quartic.
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        // Measured from where the ray comes near, or from its origin if that is near already.
-        let bounds = self.bounds();
-        let center = bounds.center() - ray.origin;
-        let far = center.length_squared() > bounds.size().length_squared();
-        let start = if far { center.dot(ray.direction) / ray.direction.length_squared() } else { 0.0 };
-        let met = self.near(|tree| tree.met_by(ray, range));
-        let stretches: SmallVec<[Stretch; 8]> = met.iter().filter_map(|p| p.stretch(ray, start)).collect();
-        let mut events: SmallVec<[f64; 16]> = stretches.iter().flat_map(|s| [s.low, s.high]).collect();
-        events.sort_unstable_by(f64::total_cmp);
-        events.dedup();
-        for pair in events.windows(2) {
-            let (low, high) = (pair[0].max(range.min - start), pair[1].min(range.max - start));
-            if low >= high {
-                continue;
-            }
-            let mut sum = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
-            let mut any = false;
-            for stretch in stretches.iter().filter(|s| s.low <= pair[0] && s.high >= pair[1]) {
-                any = true;
-                for (total, term) in sum.iter_mut().zip(stretch.field) {
-                    *total += term;
-                }
-            }
-            if any {
-                let hits = roots_in(&sum, low, high).into_iter().map(|s| ShapeHit { t: s + start, part: 0 });
-                out.extend(hits.filter(|h| range.contains(h.t)));
-            }
-        }
+        self.search(ray, range, |t| {
+            out.extend(range.contains(t).then_some(ShapeHit { t, part: 0 }));
+            true
+        });
+    }
+
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
+        let mut first = None;
+        self.search(ray, range, |t| {
+            first = range.contains(t).then_some(ShapeHit { t, part: 0 });
+            first.is_none()
+        });
+        first
     }
 
     fn contains(&self, p: DVec3) -> bool {
@@ -219,18 +256,21 @@ impl Primitive for Blob {
     }
 
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
+        let hit = ray.at(t);
+        let felt: SmallVec<[usize; 16]> = self.felt_at(hit).collect();
         let sample = |p: DVec3| {
-            self.felt_at(p).iter().fold((-self.threshold, DVec3::ZERO, self.threshold.abs()), |(f, g, m), part| {
+            felt.iter().fold((-self.threshold, DVec3::ZERO, self.threshold.abs()), |(f, g, m), i| {
+                let part = &self.parts[*i];
                 let (field, gradient) = part.sample(p);
                 (f + field, g + gradient, m + field.abs() + part.strength.abs())
             })
         };
-        let hit = ray.at(t);
         let (point, error, gradient) = super::onto_surface(hit, sample);
         let b = self.bounds();
         let size = b.min.abs().max(b.max.abs()).max_element();
-        // A step out of the parts' influence would leave the surface.
-        let point = if point.distance(hit) <= 1e-3 * size { point } else { hit };
+        // A step out of the parts' influence, or to another place of the surface, would leave this one.
+        let (before, after) = (sample(hit), sample(point));
+        let (point, gradient) = if after.0.abs() <= before.0.abs() { (point, gradient) } else { (hit, before.1) };
         let normal = if gradient == DVec3::ZERO { DVec3::X } else { -gradient };
         LocalSurface::plain(point, error + gamma(64) * size, normal)
     }

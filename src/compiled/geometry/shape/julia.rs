@@ -8,10 +8,12 @@ use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::math::{Bounds, DVec3, DVec4, Range, Ray, gamma, quadratic_roots};
 use ahead::{AHEAD, Ahead, Insides};
 use hypercomplex::Pair;
+use remembered::Remembered;
 use smallvec::SmallVec;
 
 mod ahead;
 mod hypercomplex;
+mod remembered;
 
 /// What is iterated; all but the first two only on hypercomplex numbers.
 #[derive(Clone, Copy, Debug)]
@@ -56,11 +58,6 @@ pub(crate) struct Julia {
 /// POV-Ray's length at which the search between two samples ends.
 const FINEST: f64 = 1e-7;
 
-/// POV-Ray's least distance of a hit, in world units; of a fractal made smaller, in its own. A ray that leaves
-/// a fractal often meets it again at once, for no reason but the roughness of the search; POV-Ray then sees
-/// nothing of the fractal.
-const NEAREST: f64 = 1e-4;
-
 /// POV-Ray's slope of half a squared length against a ray up to which hypercomplex sets are approached by the smallest
 /// steps, and how many of these the others may have.
 const LEAST_APPROACH: f64 = 2e-8;
@@ -72,9 +69,22 @@ const ESCAPE_SLACK: f64 = 1e-7;
 /// q₀, q₁, … of one point.
 type Orbit = SmallVec<[DVec4; 24]>;
 
+/// What happens along a ray.
+#[derive(Clone, Copy)]
+enum Event {
+    /// This point was looked at to find the next step.
+    Sample(DVec3),
+    /// This point was looked at between two samples.
+    Test(DVec3),
+    /// Inside and outside meet at this ray parameter.
+    Change(f64),
+}
+
 /// What POV-Ray's estimates want to know of a hypercomplex orbit.
 struct HyperOrbit {
     last: Pair,
+    /// Squared length of the last point: that of the first from its coordinates, as rays come in where it is all but the escape radius.
+    norm: f64,
     /// Of the derivatives, as POV-Ray has them, of all steps; of none, the last point.
     product: Pair,
     steps: usize,
@@ -82,8 +92,9 @@ struct HyperOrbit {
 
 impl HyperOrbit {
     fn new(start: DVec4) -> Self {
+        let norm = start.length_squared();
         let start = Pair::from(start);
-        Self { last: start, product: start, steps: 0 }
+        Self { last: start, norm, product: start, steps: 0 }
     }
 }
 
@@ -128,11 +139,13 @@ impl Julia {
         let escape = self.escape();
         if self.hypercomplex {
             let (mut q, c) = (Pair::from(start), Pair::from(self.parameter));
+            let mut norm = start.length_squared();
             for _ in 0..self.n_iterations {
-                if q.norm() > escape {
+                if norm > escape {
                     return false;
                 }
                 q = q.apply(self.function).plus(c);
+                norm = q.norm();
             }
         } else {
             let mut q = start;
@@ -159,7 +172,7 @@ impl Julia {
         }
         let mut orbit = HyperOrbit::new(start);
         for _ in 0..self.n_iterations {
-            if orbit.last.norm() > escape {
+            if orbit.norm > escape {
                 return (false, self.hypercomplex_step(&orbit, direction));
             }
             self.follow(&mut orbit);
@@ -171,14 +184,21 @@ impl Julia {
     #[inline(always)]
     fn follow(&self, orbit: &mut HyperOrbit) {
         let image = orbit.last.apply(self.function);
-        let slope = match self.function {
-            JuliaFunction::Sqr | JuliaFunction::Cube => orbit.last,
-            JuliaFunction::Reciprocal => image.times(image).negated(),
-            _ => image,
-        };
+        let slope = self.slope(orbit.last, image);
         orbit.product = if orbit.steps == 0 { orbit.last } else { orbit.product.times(slope) };
         orbit.last = image.plus(self.parameter.into());
+        orbit.norm = orbit.last.norm();
         orbit.steps += 1;
+    }
+
+    /// What POV-Ray takes for the derivative at a point with such an image.
+    #[inline(always)]
+    fn slope(&self, q: Pair, image: Pair) -> Pair {
+        match self.function {
+            JuliaFunction::Sqr | JuliaFunction::Cube => q,
+            JuliaFunction::Reciprocal => image.times(image).negated(),
+            _ => image,
+        }
     }
 
     /// The estimate of a quaternion's distance needs no more of its orbit than the product of lengths.
@@ -198,7 +218,8 @@ impl Julia {
     }
 
     fn hypercomplex_step(&self, orbit: &HyperOrbit, direction: DVec3) -> f64 {
-        let (n, approach) = (orbit.last.norm(), -2.0 * self.hypercomplex_gradient(orbit).dot(direction));
+        let last = orbit.last.scaled(self.gradient_scale(orbit.steps));
+        let (n, approach) = (orbit.norm, -2.0 * hypercomplex_gradient(orbit.product, last).dot(direction));
         let least = self.smallest_step * approach;
         if approach > LEAST_APPROACH && least < n && n < MOST_STEPS * least { n / approach } else { self.smallest_step }
     }
@@ -207,13 +228,6 @@ impl Julia {
     fn gradient_scale(&self, steps: usize) -> f64 {
         // Powers of two up to the largest number.
         if matches!(self.function, JuliaFunction::Sqr) { 2f64.powi(steps.clamp(1, 1 << 10) as i32) } else { 1.0 }
-    }
-
-    /// POV-Ray's estimate of the direction in which the last point of an orbit grows.
-    fn hypercomplex_gradient(&self, orbit: &HyperOrbit) -> DVec3 {
-        let d = DVec4::from(orbit.product);
-        let n = DVec4::from(orbit.last) * self.gradient_scale(orbit.steps);
-        DVec3::new(d.dot(n), DVec4::new(-d.y, d.x, -d.w, d.z).dot(n), DVec4::new(-d.z, -d.w, d.x, d.y).dot(n))
     }
 
     /// Gradient of half the squared length of an orbit's end, along x, y and z.
@@ -237,20 +251,22 @@ impl Julia {
         DVec4::new(r, w.x, w.y, w.z)
     }
 
-    /// Every change between inside and outside until `found` returns true.
-    fn march(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
+    /// Tells what happens along a ray until `tell` returns true for a change.
+    #[inline(always)]
+    fn march(&self, ray: &Ray, range: Range, mut tell: impl FnMut(Event) -> bool) {
         let speed = ray.direction.length();
         let unit = Ray::new(ray.origin, ray.direction / speed);
-        let (b, c) = (2.0 * unit.origin.dot(unit.direction), unit.origin.length_squared() - self.radius.powi(2));
-        let Some([enter, leave]) = quadratic_roots(1.0, b, c) else { return };
+        let Some([enter, leave]) = self.passage(&unit) else { return };
         let end = leave.min(range.max * speed);
         if leave < FINEST {
             return;
         }
         let (mut s, mut ahead) = (enter.max(FINEST), Ahead::new(self, &unit));
+        tell(Event::Sample(unit.at(s)));
         let (mut inside, mut step) = ahead.sample(s);
         if inside {
             s += 2.0 * FINEST;
+            tell(Event::Sample(unit.at(s)));
             (inside, step) = ahead.sample(s);
         }
         while s <= end {
@@ -260,22 +276,44 @@ impl Julia {
             if next > leave || next <= s {
                 return;
             }
+            tell(Event::Sample(unit.at(next)));
             let (now_inside, next_step) = ahead.sample(next);
-            if now_inside != inside && found(self.change(&unit, s, length, inside) / speed) {
-                return;
+            if now_inside != inside {
+                let change = self.change(&unit, s, length, inside, |s| {
+                    tell(Event::Test(unit.at(s)));
+                });
+                if tell(Event::Change(change / speed)) {
+                    return;
+                }
             }
             (s, step, inside) = (next, next_step, now_inside);
         }
     }
 
+    /// Where a ray with unit direction enters and leaves the sphere around the set.
+    ///
+    /// The first sample lies there, and by its last digit is inside or not: so POV-Ray's own form is used, as long as
+    /// what cancels in it is less than the length at which a search ends.
+    fn passage(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let toward = -ray.origin.dot(ray.direction);
+        let (away, squared) = (ray.origin.length_squared(), self.radius * self.radius);
+        if away * f64::EPSILON > FINEST {
+            return quadratic_roots(1.0, -2.0 * toward, away - squared);
+        }
+        let half = (toward * toward - (away - squared)).sqrt();
+        (!half.is_nan()).then_some([toward - half, toward + half])
+    }
+
     /// Halves a step until the change is found, and ends on its inner side.
-    fn change(&self, ray: &Ray, mut s: f64, mut length: f64, inside: bool) -> f64 {
+    #[inline(always)]
+    fn change(&self, ray: &Ray, mut s: f64, mut length: f64, inside: bool, mut tested: impl FnMut(f64)) -> f64 {
         while length > FINEST {
             let distances = halvings(s, length);
             let insides = Insides::new(self, ray, &distances);
             let mut node = 1;
             while node < AHEAD && length > FINEST {
                 length *= 0.5;
+                tested(distances[node]);
                 let beyond = insides.is_inside(node) == inside;
                 if beyond {
                     s = distances[node];
@@ -285,6 +323,12 @@ impl Julia {
         }
         if inside { s } else { s + length }
     }
+}
+
+/// POV-Ray's estimate of the direction in which the last point of an orbit grows, from the product of its derivatives.
+fn hypercomplex_gradient(product: Pair, last: Pair) -> DVec3 {
+    let (d, n) = (DVec4::from(product), DVec4::from(last));
+    DVec3::new(d.dot(n), DVec4::new(-d.y, d.x, -d.w, d.z).dot(n), DVec4::new(-d.z, -d.w, d.x, d.y).dot(n))
 }
 
 /// Where a stretch is halved, and its halves, and theirs: after entry n comes 2n on its near side, 2n + 1 on its far one.
@@ -302,11 +346,6 @@ fn halvings(s: f64, mut length: f64) -> [f64; AHEAD] {
     middles
 }
 
-/// The least parameter of a hit.
-fn nearest(ray: &Ray) -> f64 {
-    NEAREST / ray.direction.length().max(1.0)
-}
-
 impl Primitive for Julia {
     fn bounds(&self) -> Bounds {
         let half = DVec3::splat(self.radius);
@@ -314,18 +353,22 @@ impl Primitive for Julia {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
-        let nearest = nearest(ray);
-        self.march(ray, range, |t| {
-            out.extend((t > nearest && range.contains(t)).then_some(ShapeHit { t, part: 0 }));
+        let nearest = super::nearest(ray);
+        self.march(ray, range, |event| {
+            if let Event::Change(t) = event {
+                out.extend((t > nearest && range.contains(t)).then_some(ShapeHit { t, part: 0 }));
+            }
             false
         });
     }
 
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
-        let (mut hit, nearest) = (None, nearest(ray));
-        self.march(ray, range, |t| {
-            hit = (t > nearest && range.contains(t)).then_some(ShapeHit { t, part: 0 });
-            true
+        let (mut hit, nearest) = (None, super::nearest(ray));
+        self.march(ray, range, |event| {
+            if let Event::Change(t) = event {
+                hit = (t > nearest && range.contains(t)).then_some(ShapeHit { t, part: 0 });
+            }
+            matches!(event, Event::Change(_))
         });
         hit
     }
@@ -336,20 +379,13 @@ impl Primitive for Julia {
 
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let p = ray.at(t);
-        let start = self.tested_start(p);
-        // Orbits that escape by the last digit have no more to say.
-        let goes_on = |norm: f64| norm <= 4.0 * self.escape();
         let gradient = if self.hypercomplex {
-            let mut orbit = HyperOrbit::new(start);
-            let mut left = self.n_iterations;
-            while left > 0 && goes_on(orbit.last.norm()) {
-                self.follow(&mut orbit);
-                left -= 1;
-            }
-            self.hypercomplex_gradient(&orbit)
+            Remembered::at(self, ray, t).gradient()
         } else {
-            let mut orbit = Orbit::from_elem(start, 1);
-            let mut q = start;
+            // Orbits that escape by the last digit have no more to say.
+            let goes_on = |norm: f64| norm <= 4.0 * self.escape();
+            let mut q = self.start(p);
+            let mut orbit = Orbit::from_elem(q, 1);
             while orbit.len() <= self.n_iterations && goes_on(q.length_squared()) {
                 q = self.parameter + self.power(q);
                 orbit.push(q);
@@ -357,7 +393,7 @@ impl Primitive for Julia {
             self.quaternion_gradient(&orbit)
         };
         let usable = gradient.is_finite() && gradient != DVec3::ZERO;
-        // Not the depth of the search: rays start where POV-Ray starts them, and NEAREST does the rest.
+        // Not the depth of the search: rays start where POV-Ray starts them, and the least distance does the rest.
         LocalSurface::plain(p, gamma(32) * self.radius, if usable { gradient } else { DVec3::X })
     }
 }

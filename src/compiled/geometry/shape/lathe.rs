@@ -19,6 +19,8 @@ struct Curve {
     hulls: Box<[[DVec2; 2]]>,
     /// Of the whole.
     hull: [DVec2; 2],
+    /// Radius within which nothing is inside.
+    hollow: f64,
 }
 
 /// Product of two cubics, rising.
@@ -31,11 +33,12 @@ fn square(c: &[f64; 4], sum: &mut [f64; 7], factor: f64) {
 }
 
 impl Lathe {
-    /// Turns a curve.
-    pub(crate) fn new(segments: Vec<Segment>) -> Self {
+    /// Turns a curve around a core that is not inside, by default one as thick as the curve leaves room for.
+    pub(crate) fn new(segments: Vec<Segment>, hollow: Option<f64>) -> Self {
         let hulls: Box<_> = segments.iter().map(Segment::bounds).collect();
         let hull = around(&hulls);
-        Self { curve: Arc::new(Curve { segments: segments.into(), hulls, hull }) }
+        let hollow = hollow.unwrap_or(hull[0].x);
+        Self { curve: Arc::new(Curve { segments: segments.into(), hulls, hull, hollow }) }
     }
 
     /// Smallest and largest radius and height of the curve.
@@ -130,11 +133,12 @@ impl Primitive for Lathe {
         }
     }
 
-    /// An odd number of curve crossings further out; never inside the curve's smallest radius.
+    /// An odd number of curve crossings further out; never inside the core.
     fn contains(&self, p: DVec3) -> bool {
         let [min, max] = self.hull();
         let flat = DVec2::new(DVec2::new(p.x, p.z).length(), p.y);
-        min.cmple(flat).all() && flat.cmple(max).all() && odd_right_of(&self.curve.segments, &self.curve.hulls, flat)
+        let least = DVec2::new(self.curve.hollow, min.y);
+        least.cmple(flat).all() && flat.cmple(max).all() && odd_right_of(&self.curve.segments, &self.curve.hulls, flat)
     }
 
     fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {

@@ -57,10 +57,15 @@ impl Parametric {
         DVec3::from(std::array::from_fn(|axis| self.value(axis, u, v, &mut slots)))
     }
 
-    /// The nearest place that POV-Ray finds along the whole line.
+    /// The nearest place that POV-Ray finds.
     fn find(&self, ray: &Ray) -> Option<Place> {
         let (start, end) = self.container.interval(ray)?;
-        let start = if start == end { 0.0 } else { start } + 4.0 * self.accuracy;
+        let start = match self.container {
+            _ if start == end => 0.0,
+            Container::Box(_) => start.max(0.0),
+            // As in POV-Ray: a sphere is searched behind the ray's origin, too.
+            Container::Sphere { .. } => start,
+        } + 4.0 * self.accuracy;
         if start > end {
             return None;
         }
@@ -178,11 +183,11 @@ impl Primitive for Parametric {
         out.extend(self.intersect(ray, range));
     }
 
-    /// At most one hit. As in POV-Ray the whole line counts, so that a ray that starts on the
-    /// surface finds itself there, and nothing else.
+    /// At most one hit. As in POV-Ray the whole line counts in a sphere, so that a ray that starts on the surface
+    /// finds itself there, and nothing else.
     fn intersect(&self, ray: &Ray, range: Range) -> Option<ShapeHit> {
         let place = self.find(ray)?;
-        range.contains(place.t).then_some(ShapeHit { t: place.t, part: 0 })
+        (place.t > super::nearest(ray) && range.contains(place.t)).then_some(ShapeHit { t: place.t, part: 0 })
     }
 
     fn contains(&self, _p: DVec3) -> bool {

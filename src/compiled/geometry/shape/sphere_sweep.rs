@@ -1,11 +1,9 @@
 //! Spheres of changing size, swept along a curve.
 //!
-//! With the sphere at u written as F(t, u) = |o + t d - C(u)|² - R(u)² <= 0, the surface of the
-//! union lies where F = 0 and ∂F/∂u = 0, or on the spheres at the ends. All those places are
-//! candidates; which stretches between them are inside is asked of F itself, so that nothing
-//! depends on how many roots were found where the ray grazes.
-//!
-//! Source: van Wijk, Ray Tracing Objects Defined by Sweeping a Sphere, 1985.
+//! A line meets the sphere at u where the distance of its centre from the line is at most R(u). Over a run of such u the
+//! two places where the line enters and leaves the sphere move steadily, so that together the run's spheres cover one
+//! stretch of the line: from the first entry to the last exit. No crossing is lost or made up, however flat the curve
+//! lies to the line.
 
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::slab::SlabRay;
@@ -13,11 +11,8 @@ use crate::math::{Bounds, DVec3, Range, Ray, gamma, quadratic_roots, roots_in};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// A polynomial in u, rising; up to the tenth degree.
-type Polynomial = SmallVec<[f64; 12]>;
-
-/// Candidates, or ends of stretches, along a ray.
-type Places = SmallVec<[f64; 32]>;
+/// A polynomial in u, rising, or places on the curve.
+type Polynomial = SmallVec<[f64; 8]>;
 
 /// One piece of the curve, for u from 0 to 1.
 #[derive(Clone, Debug)]
@@ -68,7 +63,7 @@ impl SweepSegment {
         if self.is_line { 1 } else { 3 }
     }
 
-    /// |p - C(u)|² - R(u)² as a polynomial in u.
+    /// F = |p - C(u)|² - R(u)² as a polynomial in u.
     fn power_of_point(&self, p: DVec3) -> Polynomial {
         let n = self.degree();
         let mut sum = Polynomial::from_elem(0.0, 2 * n + 1);
@@ -89,83 +84,106 @@ impl SweepSegment {
         power[0] <= 0.0 || power.iter().sum::<f64>() <= 0.0 || !roots_in(&power, 0.0, 1.0).is_empty()
     }
 
-    /// The sphere whose surface is nearest to a point on the sweep.
-    fn nearest(&self, p: DVec3) -> f64 {
+    /// The sphere between two, ends included, in which a point lies deepest.
+    fn deepest(&self, p: DVec3, [from, to]: [f64; 2]) -> f64 {
         let power = self.power_of_point(p);
-        let inner = roots_in(&derivative(&power), 0.0, 1.0);
-        let ends = [0.0, 1.0].into_iter().chain(inner);
-        ends.min_by(|a, b| value(&power, *a).total_cmp(&value(&power, *b))).unwrap_or(0.0)
+        let inner = roots_in(&derivative(&power), from, to);
+        let all = [from, to].into_iter().chain(inner);
+        all.min_by(|a, b| value(&power, *a).total_cmp(&value(&power, *b))).unwrap_or(from)
     }
 
-    /// Where a line meets the sphere at u.
-    fn meet(&self, o: DVec3, d: DVec3, u: f64, out: &mut Places) {
-        let (w, r) = (o - self.center_at(u), self.radius_at(u));
-        out.extend(quadratic_roots(1.0, 2.0 * w.dot(d), w.length_squared() - r * r).into_iter().flatten());
-    }
-
-    /// Everywhere a line with unit direction may enter or leave, in order.
-    fn candidates(&self, o: DVec3, d: DVec3) -> Places {
-        let mut places = Places::new();
-        self.meet(o, d, 0.0, &mut places);
-        self.meet(o, d, 1.0, &mut places);
-        if self.is_line {
-            self.meet_cone(o, d, &mut places);
-        } else {
-            for u in roots_in(&self.envelope(o, d), 0.0, 1.0) {
-                self.meet(o, d, u, &mut places);
+    /// R² less the squared distance of the centre from a line with unit direction, as a polynomial in u.
+    fn margin(&self, o: DVec3, d: DVec3) -> Polynomial {
+        let n = self.degree();
+        let across = |i: usize| {
+            let offset = if i == 0 { o - self.center[0] } else { -self.center[i] };
+            offset - d * offset.dot(d)
+        };
+        let mut sum = Polynomial::from_elem(0.0, 2 * n + 1);
+        for i in 0..=n {
+            for j in 0..=n {
+                sum[i + j] += self.radius[i] * self.radius[j] - across(i).dot(across(j));
             }
-        }
-        places.sort_unstable_by(f64::total_cmp);
-        places
-    }
-
-    /// Where a line meets the cone that touches all spheres of a straight segment: there the
-    /// best u is linear in t, and F a quadratic.
-    fn meet_cone(&self, o: DVec3, d: DVec3, out: &mut Places) {
-        let (w, axis) = (o - self.center[0], self.center[1]);
-        let (r, widening) = (self.radius[0], self.radius[1]);
-        let a = axis.length_squared() - widening * widening;
-        if a <= 0.0 {
-            return; // one sphere holds all others
-        }
-        let (start, rate) = ((axis.dot(w) + r * widening) / a, axis.dot(d) / a);
-        let (square, linear) = (1.0 - a * rate * rate, 2.0 * (w.dot(d) - a * start * rate));
-        let roots = quadratic_roots(square, linear, w.length_squared() - r * r - a * start * start);
-        out.extend(roots.into_iter().flatten().filter(|t| (0.0..=1.0).contains(&(start + rate * t))));
-    }
-
-    /// The polynomial in u whose roots are the spheres on which a line touches the envelope:
-    /// F = t² + 2 b t + c and ∂F/∂u = 2 b' t + c' without t.
-    fn envelope(&self, o: DVec3, d: DVec3) -> Polynomial {
-        let c = self.power_of_point(o);
-        let mut b: Polynomial = self.center.iter().map(|k| -k.dot(d)).collect();
-        b[0] += o.dot(d);
-        let (db, dc) = (derivative(&b), derivative(&c));
-        let mut sum = product(&dc, &dc);
-        let mixed = product(&product(&b, &db), &dc);
-        let last = product(&product(&db, &db), &c);
-        for (total, (m, l)) in sum.iter_mut().zip(mixed.iter().zip(&last)) {
-            *total += 4.0 * (l - m);
         }
         sum
     }
 
-    /// Stretches of a line inside, in order.
-    fn stretches(&self, o: DVec3, d: DVec3, segment: u32, out: &mut Vec<Stretch>) {
-        let places = self.candidates(o, d);
-        let mut open: Option<Stretch> = None;
-        for pair in places.windows(2) {
-            let inside = pair[0] < pair[1] && self.contains(o + d * (0.5 * (pair[0] + pair[1])));
-            match &mut open {
-                Some(stretch) if inside => stretch.high = pair[1],
-                Some(_) if pair[0] < pair[1] => out.extend(open.take()),
-                None if inside => {
-                    open = Some(Stretch { low: pair[0], high: pair[1], low_segment: segment, high_segment: segment });
-                }
-                _ => {}
+    /// Where a line enters (side -1) or leaves (side 1) the sphere at u, which it meets.
+    fn meet(&self, o: DVec3, d: DVec3, u: f64, side: f64) -> f64 {
+        let (w, r) = (o - self.center_at(u), self.radius_at(u).abs());
+        let middle = w.dot(d);
+        let across = (w - d * middle).length();
+        side * ((r - across) * (r + across)).max(0.0).sqrt() - middle
+    }
+
+    /// Where a line enters the first (side -1) or leaves the last (side 1) of a run of spheres that it meets.
+    ///
+    /// From any sphere's place it goes on to that of the sphere in which this place lies deepest: Newton's method for
+    /// the least value of F over the run, whose error is squared by each step, and which stays on the run.
+    fn end(&self, o: DVec3, d: DVec3, run: [f64; 2], side: f64) -> f64 {
+        let mut place = self.meet(o, d, 0.5 * (run[0] + run[1]), side);
+        // Where spheres touch the line only, steps just halve the error: then as many as there are digits.
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let next = self.meet(o, d, self.deepest(o + d * place, run), side);
+            let gain = (next - place) * side;
+            if gain <= gamma(2) * place.abs() || gain.is_nan() {
+                break;
+            }
+            place = next;
+        }
+        place
+    }
+
+    /// Both ends at once for a straight segment: at the run's ends, or on the cone that touches all spheres. There the
+    /// deepest u is linear in t, and F a quadratic.
+    fn line_ends(&self, o: DVec3, d: DVec3, run: [f64; 2]) -> [f64; 2] {
+        let (w, axis) = (o - self.center[0], self.center[1]);
+        let (r, widening) = (self.radius[0], self.radius[1]);
+        let [a, b] = run.map(|u| [-1.0, 1.0].map(|side| self.meet(o, d, u, side)));
+        let mut ends = [a[0].min(b[0]), a[1].max(b[1])];
+        let square = axis.length_squared() - widening * widening;
+        if square <= 0.0 {
+            return ends; // one sphere holds all others
+        }
+        let (start, rate) = ((axis.dot(w) + r * widening) / square, axis.dot(d) / square);
+        let linear = 2.0 * (w.dot(d) - square * start * rate);
+        let constant = w.length_squared() - r * r - square * start * start;
+        for t in quadratic_roots(1.0 - square * rate * rate, linear, constant).into_iter().flatten() {
+            if (run[0]..=run[1]).contains(&(start + rate * t)) {
+                ends = [ends[0].min(t), ends[1].max(t)];
             }
         }
-        out.extend(open);
+        ends
+    }
+
+    /// Stretches of a line with unit direction inside.
+    fn stretches(&self, o: DVec3, d: DVec3, segment: u32, out: &mut Vec<Stretch>) {
+        let margin = self.margin(o, d);
+        let mut edges = Polynomial::from_elem(0.0, 1);
+        edges.extend(roots_in(&margin, 0.0, 1.0));
+        edges.push(1.0);
+        let pairs = edges.windows(2).filter(|pair| pair[0] < pair[1]);
+        let mut run: Option<[f64; 2]> = None;
+        let mut record = |run: [f64; 2]| {
+            let [low, high] = if self.is_line {
+                self.line_ends(o, d, run)
+            } else {
+                [-1.0, 1.0].map(|side| self.end(o, d, run, side))
+            };
+            out.push(Stretch { low, high, low_segment: segment, high_segment: segment });
+        };
+        for pair in pairs {
+            let is_met = value(&margin, 0.5 * (pair[0] + pair[1])) > 0.0;
+            run = match run {
+                Some([start, _]) if is_met => Some([start, pair[1]]),
+                None if is_met => Some([pair[0], pair[1]]),
+                _ => {
+                    run.into_iter().for_each(&mut record);
+                    None
+                }
+            };
+        }
+        run.into_iter().for_each(record);
     }
 }
 
@@ -180,16 +198,6 @@ struct Stretch {
 
 fn derivative(p: &[f64]) -> Polynomial {
     p.iter().enumerate().skip(1).map(|(i, c)| c * i as f64).collect()
-}
-
-fn product(a: &[f64], b: &[f64]) -> Polynomial {
-    let mut sum = Polynomial::from_elem(0.0, a.len() + b.len() - 1);
-    for (i, x) in a.iter().enumerate() {
-        for (j, y) in b.iter().enumerate() {
-            sum[i + j] += x * y;
-        }
-    }
-    sum
 }
 
 fn value(p: &[f64], u: f64) -> f64 {
@@ -240,7 +248,7 @@ impl Primitive for SphereSweep {
     fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
         let p = ray.at(t);
         let segment = &self.segments[part as usize];
-        let u = segment.nearest(p);
+        let u = segment.deepest(p, [0.0, 1.0]);
         let (center, radius) = (segment.center_at(u), segment.radius_at(u).abs());
         let normal = (p - center).normalize_or(DVec3::X);
         // Along a line of touch the sphere is only known to the square root of the rounding of u,

@@ -99,6 +99,16 @@ fn blobs() {
     extent("blob { threshold .5 sphere { 0, 2, 1 } sphere { -z, 1, -1 } }", [-2.0; 3], [2.0; 3]);
     let hollow = "blob { threshold -.1 sphere { 0, 1, -1 } }";
     within(hollow, &[("0", 0.0), ("3*x", 1.0)]);
+    // A part keeps its digits, however small it is beside the blob.
+    for size in ["1", ".01", ".001", ".0001", ".00001"] {
+        let text = format!(
+            "#declare R = {size}; #declare N = <0, 0, 0>;
+            #declare O = blob {{ sphere {{ <-8, 3, 0>, .5, 2 }} sphere {{ <8, 0, 0>, R, 2 }} }}
+            #declare P = trace(O, <-20, .1*R, 0>, x, N);
+            #debug str((P.x - 8)/R, 0, 12) #debug \" \" #debug vstr(2, N, \" \", 0, 12)"
+        );
+        prints(&text, &[-0.531_877_071, -0.982_780_680, 0.184_775_907], 1e-9);
+    }
 }
 
 #[test]
@@ -168,6 +178,11 @@ fn lathes_and_sors() {
     );
     // At the height of a point POV-Ray counts twice.
     within(linear, &[("<1.2, .5, 0>", 1.0), ("<.5, .5, 0>", 0.0), ("<1.2, 1, 0>", 1.0)]);
+    // The core of a Bézier curve is measured by its control points.
+    let curved =
+        "lathe { bezier_spline 8, <.445,.323>, <.092,-.618>, <.914,.278>, <.393,-.577>, <.393,-.577>, <.973,.043>,
+        <.566,-.495>, <.892,.967> }";
+    within(curved, &[("<-.174, .816, .169>", 1.0), ("<.05, .816, .05>", 0.0)]);
     traced("lathe { linear_spline 2, <-1,0>, <1,1> }", "<5, .25, -.1>, -x", [0.489_897_949, 0.25, -0.1], None);
     for (slope, x) in [("1e-5", 1.496_697_975), ("0", 1.496_662_955)] {
         let text = format!(
@@ -195,12 +210,171 @@ fn sphere_sweeps() {
     let linear = "sphere_sweep { linear_spline 2, <0,0,0>, 1, <4,0,0>, .5 }";
     depth(linear, "<2, 0, -5>", -0.755_928_946, Some([0.125, 0.0, -0.992_156_742]));
     extent("sphere_sweep { linear_spline 2, <0,0,0>, 1, <4,0,0>, .5 }", [-1.0, -1.0, -1.0], [4.5, 1.0, 1.0]);
+    // A flat curve seen square to its plane.
+    let flat =
+        "sphere_sweep { cubic_spline 5, <-1.5,-3,0>, .6, <-1,0,0>, .6, <0,.5,0>, .6, <1,0,0>, .6, <1.5,-3,0>, .6 }";
+    for (from, expected) in [
+        ("<.3, .2, -5>", [-0.518_071_803, -0.023_931_394, -0.503_861_286, -0.863_453_006]),
+        ("<-.9, .35, -5>", [-0.591_603_589, -0.123_495_060, 0.111_987_378, -0.986_005_982]),
+        ("<1.4, -.1, -5>", [-0.435_889_894, 0.666_666_667, -0.166_666_667, -0.726_483_157]),
+    ] {
+        let text = format!(
+            "#declare N = <0, 0, 0>; #declare O = {flat} #declare P = trace(O, {from}, z, N);
+            #debug str(P.z, 0, 12) #debug \" \" #debug vstr(3, N, \" \", 0, 12)"
+        );
+        // POV-Ray knows the sphere from a double root.
+        prints(&text, &expected, 2e-8);
+    }
+    // Two crossings of every ray: from the one it leaves, a ray meets nothing.
+    for (x, y) in [(0.3, 0.2), (-0.9, 0.35), (0.0, 1.05), (1.4, -0.1), (0.62, -0.3), (-0.31, 0.47), (0.999, 0.013)] {
+        let text = format!(
+            "#declare N = <0, 0, 0>; #declare O = {flat} #declare P = trace(O, <{x}, {y}, -5>, z, N);
+            #declare P = trace(O, P + 1e-9*z, z, N); #declare Q = trace(O, P + 1e-9*z, z, N);
+            #debug str(P.z > .1, 0, 0) #debug \" \" #debug str(vlength(N), 0, 0)"
+        );
+        prints(&text, &[1.0, 0.0], 0.0);
+    }
+}
+
+#[test]
+fn parametric_surfaces() {
+    let sheet = |container: &str| {
+        format!(
+            "parametric {{ function {{ u }} function {{ .05*sin(9*u) }} function {{ v }} <-2, -2>, <2, 2>
+            contained_by {{ {container} }} accuracy .01 }}"
+        )
+    };
+    // In both, nothing is found within four accuracies of where the search starts: in a box, of the ray's origin.
+    for container in ["box { -3, 3 }", "sphere { 0, 3 }"] {
+        let sheet = sheet(container);
+        traced(&sheet, "<.1, 2, -.3>, -y", [0.1, 0.040_379_310_995, -0.3], None);
+        traced(&sheet, "<.1, .1, -.3>, -y", [0.1, 0.040_379_310_995, -0.3], None);
+        missed(&sheet, "<.1, .02, -.3>, -y");
+    }
+    missed(&sheet("box { -3, 3 }"), "<.1, .06, -.3>, -y");
+    traced(&sheet("sphere { 0, 3 }"), "<.1, .06, -.3>, -y", [0.1, 0.040_379_310_995, -0.3], None);
 }
 
 #[test]
 fn implicit_shapes() {
     let sine = "julia_fractal { <-.2, .4, -.4, .3> hypercomplex sin max_iteration 6 }";
     within(sine, &[("<-1.1, 1, .8>", 1.0), ("<.8, -1.5, -.2>", 0.0), ("<.7, -.8, 1.3>", 1.0)]);
+}
+
+/// Where the orbit of a hit escapes, its normal has to do with what the ray looked at before.
+#[test]
+fn normals_of_hypercomplex_sets() {
+    let probes = [
+        ("<.3, .5, -.2, .1> sin max_iteration 3", "<-.52, -1.3, -6>", [-0.546_945, 0.789_378, 0.435_056, 0.433_139]),
+        (
+            "<0.48, 0.48, 0.09, -0.58> exp max_iteration 6",
+            "<-0.26, 1.32, -6>",
+            [0.631_669, 0.925_247, 0.268_562, 0.267_942],
+        ),
+        (
+            "<-0.18, -0.36, 0.04, 0.38> exp max_iteration 3",
+            "<1.09, -1.35, -6>",
+            [-3.554_081, -0.948_430, -0.224_143, 0.224_143],
+        ),
+        (
+            "<0.38, -0.19, 0.42, -0.57> ln max_iteration 3 slice <.1,-.2,.4,.9>,-.05",
+            "<-0.05, 0.59, -6>",
+            [-3.605_932, -0.796_906, -0.283_646, -0.533_372],
+        ),
+        (
+            "<0.27, -0.5, -0.49, 0.4> sin max_iteration 4",
+            "<-0.43, 0.24, -6>",
+            [-0.651_328, -0.885_197, 0.328_783, 0.329_132],
+        ),
+        (
+            "<0.54, -0.14, 0.06, 0.1> asin max_iteration 6 slice <0,.2,.3,1>,.1",
+            "<1.43, 0.56, -6>",
+            [-3.543_440, -0.157_894, 0.941_933, -0.296_364],
+        ),
+        (
+            "<-0.22, 0.34, -0.11, 0.41> asin max_iteration 6",
+            "<-1.43, -0.13, -6>",
+            [-3.733_390, -0.022_494, -0.462_901, -0.886_125],
+        ),
+        (
+            "<-0.46, 0.5, 0.11, 0.37> cos max_iteration 4 slice <0,.2,.3,1>,.1",
+            "<1.44, 1.33, -6>",
+            [-0.386_761, -0.102_995, -0.714_315, 0.692_204],
+        ),
+        (
+            "<0.02, -0.3, 0.41, -0.53> acos max_iteration 3 slice <0,.2,.3,1>,.1",
+            "<-0.88, -0.84, -6>",
+            [-3.610_512, -0.733_757, -0.236_060, -0.637_084],
+        ),
+        (
+            "<-0.57, 0.54, -0.6, 0.58> tan max_iteration 4 slice <0,.2,.3,1>,.1",
+            "<1.44, 0.86, -6>",
+            [-3.531_363, -0.949_376, 0.263_400, 0.171_192],
+        ),
+        (
+            "<-0.59, -0.26, 0.55, -0.52> atan max_iteration 4 slice <0,.2,.3,1>,.1",
+            "<0.18, -0.98, -6>",
+            [-3.623_913, 0.580_544, -0.139_799, 0.802_138],
+        ),
+        (
+            "<-0.03, 0.04, 0.45, 0.58> sinh max_iteration 6 slice <.1,-.2,.4,.9>,-.05",
+            "<-0.18, 0.35, -6>",
+            [-3.180_590, 0.041_826, -0.647_464, -0.760_948],
+        ),
+        (
+            "<-0.24, -0.26, 0.17, 0.29> sinh max_iteration 3",
+            "<1.48, -1.3, -6>",
+            [-2.381_321, 0.877_359, -0.440_444, -0.190_395],
+        ),
+        (
+            "<0.03, -0.36, -0.24, 0.48> asinh max_iteration 3 slice <.1,-.2,.4,.9>,-.05",
+            "<-0.44, 0.81, -6>",
+            [-3.492_339, -0.323_432, 0.664_783, 0.673_391],
+        ),
+        (
+            "<0.08, -0.14, -0.47, 0.06> cosh max_iteration 4 slice <.1,-.2,.4,.9>,-.05",
+            "<-0.04, 0.12, -6>",
+            [-2.697_999, -0.315_540, 0.691_976, -0.649_310],
+        ),
+        (
+            "<-0.6, -0.26, 0.24, -0.4> acosh max_iteration 3 slice <0,.2,.3,1>,.1",
+            "<1.41, -1.2, -6>",
+            [-3.295_687, -0.049_219, 0.892_787, -0.447_782],
+        ),
+        (
+            "<0.3, -0.35, -0.48, -0.29> tanh max_iteration 4 slice <0,.2,.3,1>,.1",
+            "<-0.07, -0.89, -6>",
+            [-3.649_102, 0.945_635, 0.225_948, 0.233_925],
+        ),
+        (
+            "<0.49, -0.28, -0.25, 0.53> atanh max_iteration 3 slice <0,.2,.3,1>,.1",
+            "<1.27, -0.57, -6>",
+            [-3.549_960, -0.433_123, -0.392_006, 0.811_625],
+        ),
+        (
+            "<0.2, -0.44, 0.27, 0.36> reciprocal max_iteration 6 slice <0,.2,.3,1>,.1",
+            "<0.92, -0.78, -6>",
+            [-3.572_846, -0.653_226, 0.524_103, 0.546_454],
+        ),
+        (
+            "<-0.31, 0.25, 0.16, -0.53> reciprocal max_iteration 6",
+            "<-0.14, 0.51, -6>",
+            [-1.092_539, -0.723_229, -0.606_406, 0.330_472],
+        ),
+        (
+            "<-0.12, -0.57, 0.18, 0.33> pwr(1.5,.2) max_iteration 3 slice <0,.2,.3,1>,.1",
+            "<-0.24, -0.41, -6>",
+            [-0.471_687, 0.905_427, 0.301_841, 0.298_486],
+        ),
+    ];
+    for (set, from, expected) in probes {
+        let set = set.replacen("> ", "> hypercomplex ", 1);
+        let text = format!(
+            "#declare N = <0, 0, 0>; #declare O = julia_fractal {{ {set} }} #declare P = trace(O, {from}, z, N);
+            #debug str(P.z, 0, 9) #debug \" \" #debug vstr(3, N, \" \", 0, 9)"
+        );
+        prints(&text, &expected, 2e-6);
+    }
 }
 
 #[test]

@@ -136,13 +136,14 @@ impl<const STEPS: bool> Work for FollowPairs<'_, STEPS> {
         let (half, one) = (simd.splat_f64s(0.5), simd.splat_f64s(1.0));
         let escape = simd.splat_f64s(julia.escape());
         // Coordinates as in `Pair`.
-        let mut points = [[one; 4]; VECTORS];
+        let (mut points, mut squares) = ([[one; 4]; VECTORS], [one; VECTORS]);
         for (vector, start) in points.iter_mut().enumerate() {
             let [x, y, z, w] = starts.of(simd, vector);
+            let xy = simd.add_f64s(simd.mul_f64s(x, x), simd.mul_f64s(y, y));
+            squares[vector] = simd.add_f64s(simd.add_f64s(xy, simd.mul_f64s(z, z)), simd.mul_f64s(w, w));
             *start = [simd.sub_f64s(x, w), simd.add_f64s(x, w), simd.add_f64s(y, z), simd.sub_f64s(y, z)];
         }
         let mut products = points;
-        let mut squares = [one; VECTORS];
         // Of the last point in the gradient: see `Julia::hypercomplex_gradient`.
         let mut scales = [simd.splat_f64s(julia.gradient_scale(0)); VECTORS];
         let mut escaped = [simd.greater_than_f64s(half, one); VECTORS];
@@ -152,7 +153,10 @@ impl<const STEPS: bool> Work for FollowPairs<'_, STEPS> {
                 let (rr0, rr1) = (simd.mul_f64s(r0, r0), simd.mul_f64s(r1, r1));
                 let (ii0, ii1) = (simd.mul_f64s(i0, i0), simd.mul_f64s(i1, i1));
                 let square = simd.add_f64s(simd.add_f64s(rr0, ii0), simd.add_f64s(rr1, ii1));
-                squares[vector] = simd.mul_f64s(half, square);
+                // That of the first point is known from its coordinates.
+                if step > 0 {
+                    squares[vector] = simd.mul_f64s(half, square);
+                }
                 // Orbits that escape stop there. What is not a number stays.
                 let outside = simd.greater_than_f64s(squares[vector], escape);
                 escaped[vector] = outside;

@@ -64,6 +64,11 @@ impl Pair {
         0.5 * (self.real * self.real + self.imaginary * self.imaginary).element_sum()
     }
 
+    #[inline]
+    pub(super) fn scaled(self, factor: f64) -> Self {
+        Self { real: self.real * factor, imaginary: self.imaginary * factor }
+    }
+
     pub(super) fn negated(self) -> Self {
         Self { real: -self.real, imaginary: -self.imaginary }
     }
@@ -109,6 +114,11 @@ fn turned(z: Complex) -> Complex {
     Complex::new(-z.y, z.x)
 }
 
+/// 1 - z. The sign of a zero is POV-Ray's: on the cut it chooses the branch.
+fn one_less(z: Complex) -> Complex {
+    Complex::new(1.0 - z.x, -z.y)
+}
+
 /// POV-Ray's exponent below which a power is 0.
 const LEAST_EXPONENT: f64 = -690.0;
 
@@ -127,7 +137,7 @@ fn complex(function: F, z: Complex) -> Complex {
         F::Cosh => Complex::new(x.cosh() * y.cos(), x.sinh() * y.sin()),
         F::Tan => Complex::new((2.0 * x).sin(), (2.0 * y).sinh()) / ((2.0 * x).cos() + (2.0 * y).cosh()),
         F::Tanh => Complex::new((2.0 * x).sinh(), (2.0 * y).sin()) / ((2.0 * x).cosh() + (2.0 * y).cos()),
-        F::Asin => -turned(log(turned(z) + root(Complex::X - square))),
+        F::Asin => -turned(log(turned(z) + root(one_less(square)))),
         F::Acos => -turned(log(z + root(square - Complex::X))),
         F::Asinh => log(z + root(square + Complex::X)),
         F::Acosh => log(z + root(square - Complex::X)),
@@ -139,7 +149,7 @@ fn complex(function: F, z: Complex) -> Complex {
 }
 
 fn atanh(z: Complex) -> Complex {
-    if z.x == 0.0 { Complex::new(0.0, z.y.atan()) } else { 0.5 * log(over(Complex::X + z, Complex::X - z)) }
+    if z.x == 0.0 { Complex::new(0.0, z.y.atan()) } else { 0.5 * log(over(Complex::X + z, one_less(z))) }
 }
 
 fn atan(z: Complex) -> Complex {
