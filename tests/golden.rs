@@ -6,7 +6,7 @@
 use libtest_mimic::{Arguments, Failed, Trial};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
-use whitted::eval::{self, Disk};
+use whitted::eval::{self, Disk, Reach};
 use whitted::imaging::{self, Encoding, Metadata};
 use whitted::pipeline;
 use whitted::render::{Antialias, Method, Options};
@@ -71,7 +71,8 @@ fn trial(root: &Path, scene: PathBuf) -> Trial {
 
 fn compare(scene: &Path, recipe: &Recipe, name: &str) -> Result<(), Failed> {
     let reading = eval::Options { include_dirs: vec![INSTALLED.into()], ..eval::Options::default() };
-    let host = Disk::new(scene, &reading.include_dirs, &[], |_, _| {});
+    let reach = Reach { scene: scene.to_owned(), include: reading.include_dirs.clone(), ..Reach::default() };
+    let host = Disk::new(&reach, |_, _| {});
     let options = options(recipe)?;
     let outcome = pipeline::render_file(scene, &reading, &options, &host, &|_| {})
         .map_err(|failed| failed.diagnostics.iter().map(|d| format!("{}\n", d.message)).collect::<String>())?;

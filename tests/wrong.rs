@@ -7,11 +7,11 @@ use std::fmt::Write as _;
 use std::path::Path;
 use whitted::compile::{self, Queries};
 use whitted::diag::{Diagnostic, SourceMap};
-use whitted::eval::{self, Disk, Options};
+use whitted::eval::{self, Disk, Options, Reach};
 
 /// All that is said about a scene, as `whitted render --embedded-includes` says it.
 fn messages(scene: &Path) -> String {
-    let host = Disk::new(scene, &[], &[], |_, _| {});
+    let host = Disk::new(&Reach { scene: scene.to_owned(), ..Reach::default() }, |_, _| {});
     let show = |diagnostics: &[Diagnostic], sources: &SourceMap| -> String {
         diagnostics.iter().map(|d| d.render(sources, false)).collect()
     };

@@ -6,6 +6,9 @@ use super::{Evaluator, Place, Value};
 use crate::diag::{SourceResult, Span};
 use crate::syntax::Position;
 
+/// Turns and calls after which there may be something to say.
+const NOTEWORTHY: u64 = 1 << 20;
+
 impl Evaluator<'_> {
     /// The place of a token in the innermost cursor's piece.
     pub(super) fn position_of(&self, index: usize) -> Position {
@@ -31,7 +34,23 @@ impl Evaluator<'_> {
         if self.steps > limit {
             return self.limit(span, format!("more than {limit} turns of loops and macro calls"), "steps");
         }
+        if self.steps.is_multiple_of(NOTEWORTHY) {
+            self.host.progress(&|| self.at_work(span));
+        }
         Ok(())
+    }
+
+    /// What a scene is at that loops or calls macros for long.
+    fn at_work(&self, span: Span) -> String {
+        let place = |span: Span| {
+            let name = self.sources.file(span.file).map_or("", |file| &file.name);
+            format!("{name}:{}", self.sources.line_column(span).line)
+        };
+        let is_loop = |block: &&Block| matches!(block.kind, BlockKind::While { .. } | BlockKind::For(_));
+        let loops = self.open_blocks.iter().filter(is_loop).map(|block| block.span);
+        let outer = { loops }.find(|outer| *outer != span);
+        let within = outer.map_or_else(String::new, |outer| format!(" within the loop at {}", place(outer)));
+        format!("{}: still running{within}, {} turns and calls so far", place(span), self.steps)
     }
 
     /// Counts an object.

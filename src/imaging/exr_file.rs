@@ -99,7 +99,8 @@ pub fn read_exr(path: &Path) -> Result<Picture, ImageError> {
     decode_exr(path, &bytes)
 }
 
-fn decode_exr(path: &Path, bytes: &[u8]) -> Result<Picture, ImageError> {
+/// Decodes the bytes of an EXR file as [`read_exr`] does; `path` is what errors call it.
+pub(super) fn decode_exr(path: &Path, bytes: &[u8]) -> Result<Picture, ImageError> {
     let image = exr::prelude::read()
         .no_deep_data()
         .largest_resolution_level()

@@ -4,6 +4,7 @@
 //! groups; everything else is written out in its group's space.
 
 use super::census::{Census, Entry};
+use super::height_field::GridKey;
 use super::labels::Labeler;
 use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
@@ -47,7 +48,7 @@ pub(super) struct Builder<'a> {
     pub(super) unmoved_ids: FxHashMap<*const Texture, u32>,
     pub(super) interiors: Vec<Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
-    pub(super) height_grids: FxHashMap<*const crate::scene::HeightField, Arc<crate::compiled::geometry::HeightGrid>>,
+    pub(super) height_grids: FxHashMap<GridKey, Arc<crate::compiled::geometry::HeightGrid>>,
     /// By the object as it was first declared.
     pub(super) watched: FxHashMap<*const crate::scene::Isosurface, super::watch::Watched>,
     pub(super) errors: Vec<Diagnostic>,

@@ -7,11 +7,12 @@ mod normal;
 mod pattern;
 mod picture;
 
-use crate::compiled::texture::{Blend, Layer, Normal, PatternedTexture, Pigment, Texture, WaveSources};
+use super::picture::Pictures;
+use crate::compiled::texture::{Blend, ImageMap, Layer, Normal, PatternedTexture, Pigment, Texture, WaveSources};
 use crate::math::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{self, PigmentKind, Settings};
-use picture::PictureCache;
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// Why a texture cannot be compiled, in one sentence without a full stop.
@@ -21,7 +22,9 @@ pub type Refusal = String;
 #[derive(Debug)]
 pub struct TextureCompiler<'s> {
     settings: &'s Settings,
-    pictures: PictureCache,
+    pictures: Pictures,
+    /// By address; each is kept so that its address stays its own.
+    image_maps: FxHashMap<usize, (Arc<scene::ImageMap>, Arc<ImageMap>)>,
     /// Sources of ripples and waves, made when first asked for.
     waves: Option<Arc<WaveSources>>,
     /// How deep in a texture it is, and how many parts that has so far.
@@ -35,7 +38,13 @@ const MAX_PARTS: usize = 200_000;
 impl<'s> TextureCompiler<'s> {
     /// For a scene with these settings.
     pub fn new(settings: &'s Settings) -> Self {
-        Self { settings, pictures: PictureCache::default(), waves: None, depth: 0, n_parts: 0 }
+        Self::sharing(settings, &Pictures::default())
+    }
+
+    /// The same, with the pictures of other compilers.
+    pub(super) fn sharing(settings: &'s Settings, pictures: &Pictures) -> Self {
+        let (pictures, image_maps) = (pictures.clone(), FxHashMap::default());
+        Self { settings, pictures, image_maps, waves: None, depth: 0, n_parts: 0 }
     }
 
     /// Makes a part of a texture, if that has not too many already.
@@ -129,7 +138,7 @@ impl<'s> TextureCompiler<'s> {
             }
             PigmentKind::Image(pattern, image) => {
                 let map = self.image_map(image)?;
-                Pigment::Image(self.pattern(pattern)?, Box::new(map))
+                Pigment::Image(self.pattern(pattern)?, map)
             }
         };
         Ok(if pigment.uv_mapping { Pigment::Uv(Box::new(compiled)) } else { compiled })

@@ -31,7 +31,7 @@ mod slope;
 mod tiling;
 mod warp;
 
-pub use self::image::{ImageMap, MapType, Mapping, Raster};
+pub use self::image::{ImageMap, MapType, Mapping, Raster, Texels, Transparency};
 pub use blend::{Blend, Pick};
 pub use crackle::Crackle;
 pub use density_file::DensityFile;

@@ -2,6 +2,7 @@
 
 use super::{Blend, Context, ImageMap, Pattern, Pick};
 use crate::math::{Color, DVec3, LANES, Points, Rgb, Uv, each_lane};
+use std::sync::Arc;
 
 /// A colour for each point.
 #[derive(Clone, Debug)]
@@ -13,7 +14,7 @@ pub enum Pigment {
     /// A pattern through other pigments.
     Pigments(Pattern, Blend<Pigment>),
     /// A picture; the pattern carries its warps.
-    Image(Pattern, Box<ImageMap>),
+    Image(Pattern, Arc<ImageMap>),
     /// Everything inside is looked up at (u, v, 0).
     Uv(Box<Pigment>),
 }
