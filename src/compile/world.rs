@@ -107,11 +107,17 @@ fn place_lights(
     Ok((lights, global.end, compiled))
 }
 
-/// One for each, of which those of one statement are the same in memory: most objects have the one that was never
-/// written.
+/// One for each, of which those of one statement are the same in memory, as most objects have the one that was never
+/// written, and those that are alike and follow each other.
 fn compiled_interiors(interiors: &[Arc<scene::Interior>]) -> Vec<Arc<Interior>> {
     let mut known = FxHashMap::default();
-    interiors.iter().map(|i| Arc::clone(known.entry(Arc::as_ptr(i)).or_insert_with(|| Arc::new(interior(i))))).collect()
+    let mut last: Option<Arc<Interior>> = None;
+    let mut compiled = |i: &Arc<scene::Interior>| {
+        let made = interior(i);
+        let like = last.take().filter(|last| **last == made).unwrap_or_else(|| Arc::new(made));
+        Arc::clone(last.insert(like))
+    };
+    interiors.iter().map(|i| Arc::clone(known.entry(Arc::as_ptr(i)).or_insert_with(|| compiled(i)))).collect()
 }
 
 fn interior(interior: &scene::Interior) -> Interior {

@@ -65,7 +65,7 @@ pub use value::{Array, Macro, Number, Value};
 
 use crate::diag::{Diagnostic, FileId, SourceMap, SourceResult, Span, Topic};
 use crate::imaging::Encoded;
-use crate::scene::{GeometryQueries, ImageFormat, Scene};
+use crate::scene::{Finish, GeometryQueries, ImageFormat, Scene};
 use crate::syntax::{Names, Position, Source, Symbol, Token, TokenKind};
 use cursor::{Cursor, Role};
 use directives::Block;
@@ -135,6 +135,8 @@ pub struct Evaluator<'h> {
     n_kept: usize,
     /// Pictures that were read, by place and type; what the scene writes may change them.
     pictures: rustc_hash::FxHashMap<(PathBuf, ImageFormat), Arc<Encoded>>,
+    /// The finish that was written last.
+    last_finish: Option<Arc<Finish>>,
     warnings: Vec<Diagnostic>,
     /// Errors behind which reading went on.
     errors: Vec<Diagnostic>,
@@ -197,6 +199,7 @@ impl<'h> Evaluator<'h> {
             random: random::Streams::default(),
             files: Vec::new(),
             n_kept: 0,
+            last_finish: None,
             pictures: rustc_hash::FxHashMap::default(),
             warnings: Vec::new(),
             errors: Vec::new(),

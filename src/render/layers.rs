@@ -98,7 +98,7 @@ impl Tracer<'_> {
         plain: bool,
     ) -> G {
         let bailout = self.world.settings.adc_bailout;
-        let legacy = layers.last().filter(|_| plain).map(|top| &top.finish);
+        let legacy = layers.last().filter(|_| plain).map(|top| &*top.finish);
         let mut mirrors: SmallVec<[Mirror<'_>; 2]> = SmallVec::new();
         let mut filter = Rgb::ONE;
         let mut found = G::default();
@@ -144,7 +144,7 @@ impl Tracer<'_> {
         let mut mirrored_within = None;
         if share(filter) > bailout && self.options.refraction() {
             let substance = self.substance(place.surface, legacy);
-            let top_finish = layers.last().map(|top| &top.finish);
+            let top_finish = layers.last().map(|top| &*top.finish);
             let through = self.transmit(place, &substance, top_normal, filter, top_finish);
             let term = if through.total_reflection { Term::Reflection } else { Term::Refraction };
             found.add(term, through.radiance);

@@ -74,17 +74,17 @@ pub struct Pigment {
     pub uv_mapping: bool,
 }
 
-/// The sorts of pigment.
+/// The sorts of pigment. Copies that stand elsewhere share everything but the pattern.
 #[derive(Clone, Debug)]
 pub enum PigmentKind {
     /// The same everywhere.
     Solid(Color),
     /// A pattern through a colour map (explicit or the pattern's default).
-    Colors(Pattern, Blend<Color>),
+    Colors(Box<Pattern>, Arc<Blend<Color>>),
     /// A pattern through other pigments.
-    Pigments(Pattern, Blend<Arc<Pigment>>),
+    Pigments(Box<Pattern>, Arc<Blend<Arc<Pigment>>>),
     /// `image_map`; the pattern carries only its warps.
-    Image(Pattern, Arc<ImageMap>),
+    Image(Box<Pattern>, Arc<ImageMap>),
 }
 
 impl Default for Pigment {

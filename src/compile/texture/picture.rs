@@ -10,16 +10,11 @@ use std::sync::Arc;
 
 impl TextureCompiler<'_> {
     /// `image_map`: colours in working space with the map's own `filter` and `transmit`.
-    pub(super) fn image_map(&mut self, map: &Arc<scene::ImageMap>) -> Result<Arc<ImageMap>, Refusal> {
-        if let Some((_, known)) = self.image_maps.get(&Arc::as_ptr(map).addr()) {
-            return Ok(Arc::clone(known));
-        }
+    pub(super) fn image_map(&mut self, map: &scene::ImageMap) -> Result<ImageMap, Refusal> {
         let gamma = self.settings.gamma;
         let raster = self.raster(&map.image, |format, pixels| color_curve(&map.image, format, pixels, gamma))?;
         let transparency = transparency(map, raster.indices.is_some());
-        let compiled = Arc::new(ImageMap { raster, mapping: mapping_of(&map.mapping), transparency });
-        self.image_maps.insert(Arc::as_ptr(map).addr(), (Arc::clone(map), Arc::clone(&compiled)));
-        Ok(compiled)
+        Ok(ImageMap { raster, mapping: mapping_of(&map.mapping), transparency })
     }
 
     /// Pictures whose numbers are values, not colours: raw unless a `gamma` was written.

@@ -93,7 +93,7 @@ impl Evaluator<'_> {
             Some(K::Finish) => {
                 self.next()?;
                 let start = (*layer.finish).clone();
-                layer.finish = Arc::new(self.finish_block(start)?);
+                layer.finish = self.shared_finish_block(start)?;
             }
             Some(K::NoBumpScale) => {
                 self.next()?;
