@@ -11,4 +11,5 @@ pub mod math;
 pub mod pipeline;
 pub mod render;
 pub mod scene;
+mod stack;
 pub mod syntax;

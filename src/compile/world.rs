@@ -10,6 +10,7 @@ use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::DVec3;
 use crate::math::noise::Octaves;
 use crate::scene::{self, Gamma, Object, Scene, Texture, Working};
+use crate::stack::roomy;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -80,7 +81,7 @@ fn span_of_texture(object: &Object, texture: &Arc<Texture>) -> Option<Span> {
     if own.any(|placed| Arc::ptr_eq(&placed.texture, texture)) {
         return Some(object.span);
     }
-    object.shape.children().iter().find_map(|child| span_of_texture(child, texture))
+    object.shape.children().iter().find_map(|child| roomy(|| span_of_texture(child, texture)))
 }
 
 /// Global lights first, then those of each group.

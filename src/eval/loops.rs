@@ -184,3 +184,46 @@ impl ForLoop {
         if self.step > 0.0 { value <= self.end + EPSILON } else { value >= self.end - EPSILON }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::eval::{Host, Kept, Memory, NoQueries, Options, Status, Stream, evaluate};
+    use std::io;
+    use std::path::Path;
+    use std::sync::Mutex;
+
+    /// A host that writes down what it is told of progress.
+    struct Watching(Memory, Mutex<Vec<String>>);
+
+    impl Host for Watching {
+        fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+            self.0.read(path)
+        }
+        fn status(&self, path: &Path) -> Status {
+            self.0.status(path)
+        }
+        fn create(&self, path: &Path) -> io::Result<Kept> {
+            self.0.create(path)
+        }
+        fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<Kept> {
+            self.0.append(path, bytes)
+        }
+        fn message(&self, stream: Stream, text: &str) {
+            self.0.message(stream, text);
+        }
+        fn progress(&self, what: &dyn Fn() -> String) {
+            self.1.lock().unwrap().push(what());
+        }
+    }
+
+    #[test]
+    fn long_loops_say_where_they_are() {
+        let text =
+            "#version 3.7;\n#for (I, 1, 2)\n#declare J = 0;\n#while (J < 700000)\n#declare J = J + 1;\n#end #end";
+        let host = Watching(Memory::new([("a.pov", text)]), Mutex::default());
+        assert!(evaluate("a.pov".as_ref(), &Options::default(), &host, &NoQueries).is_ok());
+        let told = host.1.into_inner().unwrap();
+        let expected = "a.pov:4: still running within the loop at a.pov:2, 1048576 turns and calls so far";
+        assert_eq!(told, [expected]);
+    }
+}

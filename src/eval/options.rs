@@ -111,7 +111,7 @@ impl Default for Limits {
         Self {
             include_depth: 1000,
             macro_depth: 100_000,
-            nesting: 100_000,
+            nesting: 50_000,
             steps: 100_000_000_000,
             objects: 200_000_000,
             parts: Settings::default().max_parts,

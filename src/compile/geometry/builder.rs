@@ -16,6 +16,7 @@ use crate::compiled::geometry::{
 use crate::diag::Diagnostic;
 use crate::math::{Bounds, DVec3};
 use crate::scene::{CsgOperation, Interior, Object, Shape, Texture};
+use crate::stack::roomy;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -107,7 +108,7 @@ impl<'a> Builder<'a> {
     /// Places an object in a group. `height` grows to that of the instances inside.
     fn place(&mut self, object: &Object, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
         let outer = self.labeler.enter(object);
-        self.place_kind(object, around, split, items, height);
+        roomy(|| self.place_kind(object, around, split, items, height));
         self.labeler.leave(outer);
     }
 
@@ -233,6 +234,10 @@ impl<'a> Builder<'a> {
 
     /// Builds an object as a part of a solid; `None` for what has no surface.
     fn node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
+        roomy(|| self.whole_node(object, around, id, is_root))
+    }
+
+    fn whole_node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
         if let Shape::LightSource(light) = &object.shape {
             let looks = light.looks_like.clone()?;
             return self.node(&looks, &Context { no_shadow: true, ..around.clone() }, id, is_root);

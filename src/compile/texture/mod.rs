@@ -14,6 +14,7 @@ use crate::compiled::texture::{
 use crate::math::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{self, PigmentKind, Settings};
+use crate::stack::roomy;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -76,7 +77,7 @@ impl<'s> TextureCompiler<'s> {
         }
         self.count(1)?;
         self.depth += 1;
-        let made = make(self);
+        let made = roomy(|| make(self));
         self.depth -= 1;
         made
     }

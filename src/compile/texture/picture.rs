@@ -191,3 +191,64 @@ fn sampled(width: u32, height: u32, function: &crate::function::Function) -> Ras
         has_alpha: !scalar,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::compile::{Queries, compile};
+    use crate::compiled::texture::{Layer, Pigment, Raster, Texture};
+    use crate::eval::{Memory, Options, evaluate};
+    use std::sync::Arc;
+
+    /// The pigments of the textures of a scene with a small picture `a.ppm`.
+    fn pigments(text: &str) -> Vec<Pigment> {
+        let scene = format!("#version 3.7; global_settings {{ assumed_gamma 1 }}\n{text}");
+        let picture = b"P6\n2 1\n255\n\xff\x00\xff\x00\x00\xff".to_vec();
+        let host = Memory::new([("a.pov", scene.as_str())]).with("a.ppm", picture);
+        let read = evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default()).unwrap();
+        let world = compile(&read.scene).unwrap().world;
+        let layer = |texture: Texture| match texture {
+            Texture::Layers(mut layers) => layers.pop().unwrap().pigment,
+            Texture::Patterned(_) => panic!("no patterned texture was written"),
+        };
+        world.textures.into_iter().map(layer).collect()
+    }
+
+    fn raster(pigment: &Pigment) -> &Arc<Raster> {
+        match pigment {
+            Pigment::Image(_, map) => &map.raster,
+            other => panic!("{other:?} shows no picture"),
+        }
+    }
+
+    /// The textures of these objects show the same picture in memory.
+    fn check(text: &str, n: usize) {
+        let pigments = pigments(text);
+        assert_eq!(pigments.len(), n, "{text}");
+        assert!(pigments.iter().all(|p| Arc::ptr_eq(raster(p), raster(&pigments[0]))), "{text}");
+    }
+
+    #[test]
+    fn a_picture_is_held_once() {
+        let declared = "#declare P = pigment { image_map { ppm \"a.ppm\" interpolate 2 } }";
+        check(&format!("{declared} #for (I, 1, 5) sphere {{ I*x, 1 pigment {{ P translate I*y }} }} #end"), 5);
+        let texture = format!("{declared} #declare T = texture {{ pigment {{ P }} finish {{ phong .5 }} }}");
+        check(&format!("{texture} #for (I, 1, 5) sphere {{ I*x, 1 texture {{ T scale I }} }} #end"), 5);
+        let written = "#for (I, 1, 5) sphere { I*x, 1 pigment { image_map { ppm \"a.ppm\" transmit all I/9 } } } #end";
+        check(written, 5);
+        check("#for (I, 1, 3) plane { y, I pigment { image_map { ppm \"./a.ppm\" once } rotate I*x } } #end", 3);
+    }
+
+    #[test]
+    fn maps_and_finishes_are_held_once() {
+        let text = "#declare P = pigment { bozo color_map { [0 rgb 0] [1 rgb 1] } }
+            #for (I, 1, 5) sphere { I*x, 1 pigment { P scale I } } #end";
+        let pigments = pigments(text);
+        let colors = |p: &Pigment| match p {
+            Pigment::Colors(_, colors) => Arc::as_ptr(colors),
+            other => panic!("{other:?}"),
+        };
+        assert!(pigments.len() == 5 && pigments.iter().all(|p| colors(p) == colors(&pigments[0])));
+        // A hundred thousand objects have a texture each.
+        assert!(size_of::<Layer>() <= 80 && size_of::<crate::scene::Pigment>() <= 64);
+    }
+}

@@ -245,7 +245,7 @@ impl Evaluator<'_> {
             K::Warp => {
                 self.next()?;
                 let warp = self.warp()?;
-                pattern.warps.push(warp);
+                pattern.add(warp);
             }
             _ => return self.kind_modifier(keyword, pattern),
         }

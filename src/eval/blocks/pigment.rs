@@ -4,6 +4,7 @@ use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
 use crate::scene::{Blend, ImageMap, MapEntry, MapType, Pattern, PatternKind, Pigment, PigmentKind, default_colors};
+use crate::stack::roomy;
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -40,7 +41,7 @@ impl Draft {
             Content::Pigments(pigments) => PigmentKind::Pigments(self.pattern.into(), pigments),
             Content::Image(image) => PigmentKind::Image(self.pattern.into(), image),
         };
-        Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping }
+        Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping, depth: 0 }
     }
 
     /// After a pattern keyword with the items of a block pattern, if there are some.
@@ -111,6 +112,11 @@ impl Evaluator<'_> {
 
     /// The inside of a pigment, also of a `pigment_map` entry.
     pub(super) fn pigment_items(&mut self, start: Pigment) -> SourceResult<Pigment> {
+        roomy(|| self.whole_pigment(start))
+    }
+
+    fn whole_pigment(&mut self, start: Pigment) -> SourceResult<Pigment> {
+        let span = self.span();
         let mut draft = Draft::new(start);
         if self.accept(K::UvMapping)? {
             draft.uv_mapping = true;
@@ -122,7 +128,9 @@ impl Evaluator<'_> {
             draft.uv_mapping |= uv_mapping;
         }
         while self.pigment_item(&mut draft)? {}
-        Ok(draft.finish())
+        let mut pigment = draft.finish();
+        pigment.depth = self.nested(pigment.depth_of_parts(), span)?;
+        Ok(pigment)
     }
 
     fn pigment_item(&mut self, draft: &mut Draft) -> SourceResult<bool> {
