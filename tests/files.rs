@@ -129,7 +129,7 @@ fn written_files_are_read() -> io::Result<()> {
     check_written("\"P3\\n1 1\\n255\\n255 0 0\\n\"", picture, "ppm")?;
     let density =
         "#declare F = function { pattern { density_file df3 FILE } } #if (F(.5, .5, .5) = 1) #debug \"[found]\" #end";
-    check_written("uint16be 1, 1, 1, uint8 255", density, "df3")?;
+    check_written("uint16be 1, uint16be 1, uint16be 1, uint8 255", density, "df3")?;
     let twice = "#include FILE #fopen W FILE append #write(W, \"#debug A\") #fclose W #include FILE";
     check_written("\"#declare A = \\\"[found]\\\";\\n\"", twice, "inc")
 }
