@@ -58,7 +58,7 @@ fn text_nests_deeply() -> io::Result<()> {
     check(["", "merge { sphere { 1000, 1 } ", "sphere { 1000, 1 }", " translate .0001*x }", ""])?;
     check(["", "object { ", "sphere { 0, 1 }", "}", ""])?;
     check(["", "sphere { 0, 1 clipped_by { ", "plane { x, 0 }", "} }", ""])?;
-    check(["sphere { 0, 1 ", "pigment { gradient x pigment_map { [0 ", "rgb 1", "] [1 rgb 0] } }", "}"])?;
+    check(["sphere { 0, 1 pigment { ", "gradient x pigment_map { [0 ", "rgb 1", "] [1 rgb 0] }", "} }"])?;
     check([
         "sphere { 0, 1 pigment { rgb 1 } normal { ",
         "gradient x normal_map { [0 ",

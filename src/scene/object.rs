@@ -27,6 +27,8 @@ pub struct Object {
     pub name: Option<Arc<str>>,
     /// Levels of objects, textures and pigments inside one another, down from this one; noted once it is complete.
     pub depth: u32,
+    /// As [`Shape::is_patch`], noted at the start: asking all levels below at each level takes the square of their number.
+    pub is_patch: bool,
 }
 
 /// What few objects have; takes up no room in all others, where it reads as nothing said.
@@ -191,6 +193,7 @@ impl Object {
     /// A bare shape in its own place.
     pub fn new(shape: Shape, span: Span) -> Self {
         Self {
+            is_patch: shape.is_patch(),
             shape,
             place: Place::default(),
             texture: None,
