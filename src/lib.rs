@@ -11,4 +11,5 @@ pub mod job;
 pub mod math;
 pub mod render;
 pub mod scene;
+mod stack;
 pub mod syntax;

@@ -1,4 +1,4 @@
-//! Whatever the input, the program answers soon: an error with its place, exit code 2, no picture.
+//! Whatever the input, the program answers soon if it was told not to trust it: an error with its place, exit code 2, no picture.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -11,7 +11,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 fn refused(folder: &Path, scene: &str) -> std::io::Result<String> {
     let mut child = Command::new(env!("CARGO_BIN_EXE_whitted"))
         .current_dir(folder)
-        .args(["render", scene, "--output", "out.exr", "--width", "8", "--preview=out.png"])
+        .args(["render", scene, "--untrusted", "--output", "out.exr", "--width", "8", "--preview=out.png"])
         .stdout(Stdio::null())
         .stderr(std::fs::File::create(folder.join("said.txt"))?)
         .spawn()?;
@@ -68,7 +68,7 @@ fn files_that_cannot_be_read() -> std::io::Result<()> {
     let host_file = PathBuf::from("/etc/hostname");
     if host_file.exists() {
         std::fs::write(folder.path().join("spy.pov"), "#include \"/etc/hostname\"")?;
-        says(&refused(folder.path(), "spy.pov")?, &["spy.pov:1:", "outside"]);
+        says(&refused(folder.path(), "spy.pov")?, &["spy.pov:1:", "--allow-read /etc "]);
     }
     Ok(())
 }

@@ -6,7 +6,7 @@
 use libtest_mimic::{Arguments, Failed, Trial};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
-use whitted::eval::{self, Disk};
+use whitted::eval::{self, Disk, Reach};
 use whitted::imaging::{self, Encoding, Metadata};
 use whitted::job::{Job, Session};
 use whitted::render::{Antialias, Method, Options, Unobserved};
@@ -71,7 +71,8 @@ fn trial(root: &Path, scene: PathBuf) -> Trial {
 
 fn compare(scene: &Path, recipe: &Recipe, name: &str) -> Result<(), Failed> {
     let reading = eval::Options { include_dirs: vec![INSTALLED.into()], ..eval::Options::default() };
-    let host = Disk::new(scene, &reading.include_dirs, &[], |_, _| {});
+    let reach = Reach { scene: scene.to_owned(), include: reading.include_dirs.clone(), ..Reach::default() };
+    let host = Disk::new(&reach, |_, _| {});
     let job = Job { scene: scene.to_owned(), reading, rendering: options(recipe)?, outputs: Vec::new() };
     let outcome = Session::new(0)
         .render(&job, &host, &Unobserved)

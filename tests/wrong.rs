@@ -7,15 +7,16 @@ use std::fmt::Write as _;
 use std::path::Path;
 use whitted::compile::{self, Queries};
 use whitted::diag::{Diagnostic, SourceMap};
-use whitted::eval::{self, Disk, Options};
+use whitted::eval::{self, Disk, Limits, Options, Reach};
 
 /// All that is said about a scene, as `whitted render --embedded-includes` says it.
 fn messages(scene: &Path) -> String {
-    let host = Disk::new(scene, &[], &[], |_, _| {});
+    let host = Disk::new(&Reach { scene: scene.to_owned(), ..Reach::default() }, |_, _| {});
     let show = |diagnostics: &[Diagnostic], sources: &SourceMap| -> String {
         diagnostics.iter().map(|d| d.render(sources, false)).collect()
     };
-    match eval::evaluate(scene, &Options::default(), &host, &Queries::default()) {
+    match eval::evaluate(scene, &Options { limits: Limits::strict(), ..Options::default() }, &host, &Queries::default())
+    {
         Err(failed) => show(&failed.diagnostics, &failed.sources),
         Ok(read) => {
             let compiled = match compile::compile(&read.scene) {

@@ -71,6 +71,12 @@ impl Manner {
         }
     }
 
+    /// What is told now and then what takes so long; only on a terminal.
+    pub(super) fn observer(&self) -> Option<fn(&str)> {
+        let told = self.message_format == Format::Text && std::io::stderr().is_terminal();
+        told.then_some(|text| line(text))
+    }
+
     /// What receives the texts of `#debug` and its like.
     pub(super) fn scene_output(&self) -> fn(Stream, &str) {
         match self.message_format {

@@ -12,6 +12,8 @@ mod render;
 mod scene_arguments;
 
 use clap::{Parser, Subcommand};
+use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Exit code of an error.
@@ -44,6 +46,9 @@ pub fn run() -> ExitCode {
         Err(error) => {
             // Help and version are no errors; a closed pipe is nobody's fault.
             let _ = error.print();
+            if error.use_stderr() {
+                hint_at_dashes(std::env::args_os().skip(1));
+            }
             return if error.use_stderr() { ExitCode::from(ERROR) } else { ExitCode::SUCCESS };
         }
     };
@@ -53,6 +58,26 @@ pub fn run() -> ExitCode {
         Command::Dump(arguments) => dump::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
     }
+}
+
+/// Says how to name a scene that looks like an option, if that may be what went wrong.
+fn hint_at_dashes(arguments: impl Iterator<Item = OsString>) {
+    if let Some(scene) = dashed_scene(arguments) {
+        let scene = scene.display();
+        messages::line(format_args!(
+            "hint: the name of a scene that begins with a dash stands last, behind '--', or with its folder:\n      \
+             whitted render -- {scene}\n      whitted render ./{scene}"
+        ));
+    }
+}
+
+/// The first argument in the place of an option that is the name of a scene.
+fn dashed_scene(arguments: impl Iterator<Item = OsString>) -> Option<PathBuf> {
+    let mut options = arguments.take_while(|argument| argument != "--").map(PathBuf::from);
+    options.find(|name| {
+        let is_scene = name.extension().is_some_and(|e| e.eq_ignore_ascii_case("pov")) || name.is_file();
+        name.as_os_str().as_encoded_bytes().starts_with(b"-") && is_scene
+    })
 }
 
 /// Says what went wrong; nothing else can be done.
@@ -73,6 +98,15 @@ mod tests {
 
     fn check(line: &str, accepted: bool) {
         assert_eq!(Arguments::try_parse_from(line.split(' ')).is_ok(), accepted, "{line}");
+    }
+
+    #[test]
+    fn scenes_with_dashes_are_hinted_at() {
+        let found = |line: &str| dashed_scene(line.split(' ').map(OsString::from));
+        assert_eq!(found("render -0.5_a.pov -W 9"), Some("-0.5_a.pov".into()));
+        assert_eq!(found("render -W 9 -a.POV"), Some("-a.POV".into()));
+        assert_eq!(found("render -W 9 -- -0.5_a.pov"), None);
+        assert_eq!(found("render -W x a.pov"), None);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::include_dirs;
 use super::messages::Manner;
-use crate::eval::{self, Disk, Limits};
+use crate::eval::{self, Disk, Limits, Reach};
 use crate::scene::IsosurfaceSearch;
 use std::path::{Path, PathBuf};
 
@@ -14,6 +14,14 @@ pub(super) struct SceneArguments {
     /// Folder to search for include files and pictures, before those of an installed POV-Ray
     #[arg(long, short = 'I', value_name = "DIR")]
     include: Vec<PathBuf>,
+    /// Folder below which the scene may read files, beside its own, the working folder, those of --include and your
+    /// home folder without what has a name that begins with a dot
+    #[arg(long, value_name = "DIR")]
+    allow_read: Vec<PathBuf>,
+    /// The scene is a stranger's: it reads only below its own folder and those that other options name, and must do
+    /// with little time and memory
+    #[arg(long)]
+    untrusted: bool,
     /// Folder in which the scene may write files
     #[arg(long, value_name = "DIR")]
     allow_write: Vec<PathBuf>,
@@ -84,6 +92,7 @@ impl SceneArguments {
                 Search::Guaranteed => IsosurfaceSearch::Guaranteed,
                 Search::Povray => IsosurfaceSearch::PovRay,
             },
+            limits: if self.untrusted { Limits::strict() } else { Limits::default() },
             ..eval::Options::default()
         };
         for (name, value) in &self.limit {
@@ -94,7 +103,15 @@ impl SceneArguments {
 
     /// The file system as the scene may see it.
     pub(super) fn host(&self) -> Disk {
-        Disk::new(&self.scene, &self.folders(), &self.allow_write, self.messages.scene_output())
+        let reach = Reach {
+            scene: self.scene.clone(),
+            include: include_dirs::search_path(&self.include, self.embedded_includes),
+            read: self.allow_read.clone(),
+            write: self.allow_write.clone(),
+            home: std::env::home_dir(),
+            untrusted: self.untrusted,
+        };
+        Disk::new(&reach, self.messages.scene_output()).observed(self.messages.observer())
     }
 
     /// The scene's own folder is searched, too, which POV-Ray leaves out.

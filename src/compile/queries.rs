@@ -1,6 +1,7 @@
 //! Answers to what a scene asks about its own objects while it is being read.
 
 use super::geometry::{compile_object, extent};
+use super::picture::Pictures;
 use super::texture::TextureCompiler;
 use crate::compiled::geometry::{Geometry, RayKind, Scratch};
 use crate::compiled::texture::{Context, Pattern, Pigment};
@@ -19,6 +20,8 @@ const POV_NEAREST: f64 = 1e-4;
 pub struct Queries {
     /// By address.
     known: Mutex<FxHashMap<usize, Known>>,
+    /// Of functions made of pigments.
+    pictures: Pictures,
 }
 
 /// The object is kept so that its address stays its own.
@@ -66,12 +69,12 @@ impl GeometryQueries for Queries {
     }
 
     fn pigment_function(&self, pigment: &Arc<scene::Pigment>, settings: &Settings) -> Arc<dyn Callable> {
-        let compiled = TextureCompiler::new(&for_functions(settings)).pigment(pigment);
+        let compiled = TextureCompiler::sharing(&for_functions(settings), &self.pictures).pigment(pigment);
         Arc::new(PigmentFunction(compiled.unwrap_or(Pigment::Solid(crate::math::Color::BLACK))))
     }
 
     fn pattern_function(&self, pattern: &Arc<scene::Pattern>, settings: &Settings) -> Arc<dyn Callable> {
-        let compiled = TextureCompiler::new(&for_functions(settings)).pattern(pattern);
+        let compiled = TextureCompiler::sharing(&for_functions(settings), &self.pictures).pattern(pattern);
         Arc::new(PatternFunction(compiled.unwrap_or(Pattern::of(crate::compiled::texture::PatternKind::None))))
     }
 }

@@ -10,6 +10,7 @@ use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::noise::Octaves;
 use crate::math::{Color, DVec3};
 use crate::scene::{self, Gamma, Object, Scene, Texture, Working};
+use crate::stack::roomy;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -80,7 +81,7 @@ fn span_of_texture(object: &Object, texture: &Arc<Texture>) -> Option<Span> {
     if own.any(|placed| Arc::ptr_eq(&placed.texture, texture)) {
         return Some(object.span);
     }
-    object.shape.children().iter().find_map(|child| span_of_texture(child, texture))
+    object.shape.children().iter().find_map(|child| roomy(|| span_of_texture(child, texture)))
 }
 
 /// Global lights first, then those of each group.
@@ -107,11 +108,17 @@ fn place_lights(
     Ok((lights, global.end, compiled))
 }
 
-/// One for each, of which those of one statement are the same in memory: most objects have the one that was never
-/// written.
+/// One for each, of which those of one statement are the same in memory, as most objects have the one that was never
+/// written, and those that are alike and follow each other.
 fn compiled_interiors(interiors: &[Arc<scene::Interior>]) -> Vec<Arc<Interior>> {
     let mut known = FxHashMap::default();
-    interiors.iter().map(|i| Arc::clone(known.entry(Arc::as_ptr(i)).or_insert_with(|| Arc::new(interior(i))))).collect()
+    let mut last: Option<Arc<Interior>> = None;
+    let mut compiled = |i: &Arc<scene::Interior>| {
+        let made = interior(i);
+        let like = last.take().filter(|last| **last == made).unwrap_or_else(|| Arc::new(made));
+        Arc::clone(last.insert(like))
+    };
+    interiors.iter().map(|i| Arc::clone(known.entry(Arc::as_ptr(i)).or_insert_with(|| compiled(i)))).collect()
 }
 
 fn interior(interior: &scene::Interior) -> Interior {

@@ -12,6 +12,7 @@ use super::macros::arguments_in_words;
 use super::{Evaluator, Number, Value};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::math::{DVec2, DVec3, DVec4};
+use crate::stack::roomy;
 use crate::syntax::formula::Operator;
 use crate::syntax::{Keyword, Symbol, TokenKind};
 use smallvec::SmallVec;
@@ -148,7 +149,7 @@ impl Evaluator<'_> {
         }
         self.take();
         self.deeper()?;
-        let value = read(self)?;
+        let value = roomy(|| read(self))?;
         if self.fill(false)? != TokenKind::Punct(close) {
             return self.expected(&format!("'{close}' {why_close}"));
         }
@@ -175,12 +176,12 @@ impl Evaluator<'_> {
             return self.error(span, "the condition before '?' must be a float");
         }
         self.deeper()?;
-        let yes = self.full(n)?;
+        let yes = roomy(|| self.full(n))?;
         if self.fill(self.bare)? != TokenKind::Punct(':') {
             return self.expected("':' of the choice that '?' began");
         }
         self.take();
-        let no = self.full(n)?;
+        let no = roomy(|| self.full(n))?;
         self.nesting = self.nesting.saturating_sub(1);
         Ok(if truth(chosen.v[0]) { yes } else { no })
     }

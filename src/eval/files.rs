@@ -2,10 +2,9 @@
 
 use super::cursor::{Cursor, Role};
 use super::scope::Scopes;
-use super::{Evaluator, Number, Place, Value};
+use super::{Evaluator, Kept, Number, Place, Value};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::syntax::{Keyword, Position, Symbol, Token, TokenKind};
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// A file that a scene opened.
@@ -43,12 +42,11 @@ impl Evaluator<'_> {
                 return self.expected("read, write or append");
             }
             let path = PathBuf::from(&*name);
+            self.pictures.clear();
             let opened = if append { self.host.append(&path, &[]) } else { self.host.create(&path) };
             match opened {
-                Ok(()) => {}
-                Err(error) if error.kind() == ErrorKind::PermissionDenied => {
-                    self.keep_in_memory(&path, append, span);
-                }
+                Ok(Kept::OnDisk) => {}
+                Ok(Kept::InMemory) => self.warn_of_memory(&path, span),
                 Err(error) => return self.error(span, format!("cannot write {}: {error}", path.display())),
             }
             OpenFile::Writing(path)
@@ -62,32 +60,23 @@ impl Evaluator<'_> {
         Ok(())
     }
 
-    /// What `#fopen … read` finds under a name: a file, or what the scene itself wrote before.
+    /// What `#fopen … read` finds under a name.
     fn text_to_read(&mut self, name: &str, span: Span) -> SourceResult<(PathBuf, Vec<u8>)> {
-        if let Some(text) = self.unsaved.get(Path::new(name)) {
-            return Ok((name.into(), text.clone()));
-        }
         let Some(path) = self.find_file(name, &[]) else {
             return self.error(span, format!("cannot find the file '{name}'"));
         };
-        match self.host.read(&path) {
-            Ok(text) => Ok((path, text)),
-            Err(error) => self.error(span, format!("cannot read {}: {error}", path.display())),
-        }
+        let text = self.bytes_of(&path, span)?;
+        Ok((path, text))
     }
 
     /// Where a scene may not write, what it writes stays in memory, for it to read again.
-    fn keep_in_memory(&mut self, path: &Path, append: bool, span: Span) {
+    fn warn_of_memory(&mut self, path: &Path, span: Span) {
         let name = path.display();
         self.warn(
             Topic::Files,
             span,
             format!("{name} is kept in memory only: scenes may write to a folder after --allow-write DIR"),
         );
-        let text = self.unsaved.entry(path.to_owned()).or_default();
-        if !append {
-            text.clear();
-        }
     }
 
     fn accept_word(&mut self, word: Keyword) -> SourceResult<bool> {
@@ -149,17 +138,18 @@ impl Evaluator<'_> {
             }
             Ok((path, bytes))
         })?;
-        if let Some(text) = self.unsaved.get_mut(&bytes.0) {
-            text.extend(bytes.1);
-            // A file is many strings: mesh cameras write a hundred megabytes.
-            let limit = self.options.limits.string_bytes.saturating_mul(16);
-            if text.len() > limit {
-                return self.limit(span, format!("more than {limit} bytes written"), "string_bytes");
-            }
-            return Ok(());
-        }
+        self.pictures.clear();
         match self.host.append(&bytes.0, &bytes.1) {
-            Ok(()) => Ok(()),
+            Ok(Kept::OnDisk) => Ok(()),
+            Ok(Kept::InMemory) => {
+                self.n_kept += bytes.1.len();
+                // A file is many strings: mesh cameras write a hundred megabytes.
+                let limit = self.options.limits.string_bytes.saturating_mul(16);
+                if self.n_kept > limit {
+                    return self.limit(span, format!("more than {limit} bytes written"), "string_bytes");
+                }
+                Ok(())
+            }
             Err(error) => self.error(span, format!("cannot write {}: {error}", bytes.0.display())),
         }
     }

@@ -15,20 +15,43 @@ pub trait Host {
     /// # Errors
     /// When it cannot or may not be read.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
-    /// Whether there is such a file (and it may be read).
-    fn exists(&self, path: &Path) -> bool;
-    /// Creates or empties a file, for `#fopen … write`.
+    /// Whether there is such a file, and whether it may be read.
+    fn status(&self, path: &Path) -> Status;
+    /// Creates or empties a file, for `#fopen … write`. From then on [`read`](Self::read) gives what was written,
+    /// wherever that is kept.
     ///
     /// # Errors
-    /// When it cannot or may not be written.
-    fn create(&self, path: &Path) -> io::Result<()>;
-    /// Adds bytes to a file, for `#write`.
+    /// When it cannot be written.
+    fn create(&self, path: &Path) -> io::Result<Kept>;
+    /// Adds bytes to a file, for `#write` and `#fopen … append`; what the file holds already stays.
     ///
     /// # Errors
-    /// When it cannot or may not be written.
-    fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
+    /// When it cannot be written.
+    fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<Kept>;
     /// A text of `#debug`, `#render` or `#statistics`.
     fn message(&self, stream: Stream, text: &str);
+    /// Asked for now and then while a scene runs: `what` says what it is at.
+    fn progress(&self, _what: &dyn Fn() -> String) {}
+}
+
+/// Whether there is a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// None, or something that is no file.
+    Absent,
+    /// There is, and it may be read.
+    Readable,
+    /// There is, but it may not be read; trying to says why.
+    Refused,
+}
+
+/// Where something is kept that a scene has written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kept {
+    /// In a file that outlives the scene.
+    OnDisk,
+    /// Only for the scene itself, which may not write there.
+    InMemory,
 }
 
 /// Where a message goes.
@@ -54,6 +77,13 @@ impl Memory {
         Self { files: Mutex::new(files), messages: Mutex::default() }
     }
 
+    /// With one more file, which need not be text.
+    #[must_use]
+    pub fn with(self, name: &str, bytes: Vec<u8>) -> Self {
+        lock(&self.files).insert(name.into(), bytes);
+        self
+    }
+
     /// Everything that was said so far.
     pub fn messages(&self) -> String {
         lock(&self.messages).clone()
@@ -75,18 +105,18 @@ impl Host for Memory {
         lock(&self.files).get(path).cloned().ok_or_else(|| io::ErrorKind::NotFound.into())
     }
 
-    fn exists(&self, path: &Path) -> bool {
-        lock(&self.files).contains_key(path)
+    fn status(&self, path: &Path) -> Status {
+        if lock(&self.files).contains_key(path) { Status::Readable } else { Status::Absent }
     }
 
-    fn create(&self, path: &Path) -> io::Result<()> {
+    fn create(&self, path: &Path) -> io::Result<Kept> {
         lock(&self.files).insert(path.into(), Vec::new());
-        Ok(())
+        Ok(Kept::OnDisk)
     }
 
-    fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+    fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<Kept> {
         lock(&self.files).entry(path.into()).or_default().extend_from_slice(bytes);
-        Ok(())
+        Ok(Kept::OnDisk)
     }
 
     fn message(&self, _: Stream, text: &str) {

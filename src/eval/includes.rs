@@ -1,8 +1,8 @@
 //! `#include`, and where files are looked for.
 
-use super::Evaluator;
 use super::cursor::{Cursor, Role};
 use super::standard_includes::{advice_on_file, standard_include, standard_include_names};
+use super::{Evaluator, Status};
 use crate::diag::{SourceResult, Span, nearest};
 use crate::syntax::Position;
 use std::path::{Path, PathBuf};
@@ -43,13 +43,9 @@ impl Evaluator<'_> {
     /// The file that `#include` names, or what comes with this program under that name.
     fn include_text(&mut self, name: &str, extensions: &[&str], span: Span) -> SourceResult<(PathBuf, Vec<u8>)> {
         if let Some(path) = self.find_file(name, extensions) {
-            return match self.host.read(&path) {
-                Ok(text) => Ok((path, text)),
-                Err(error) => {
-                    self.given_up.set(true);
-                    self.error(span, format!("cannot read {}: {error}", path.display()))
-                }
-            };
+            let text = self.bytes_of(&path, span);
+            self.given_up.set(self.given_up.get() || text.is_err());
+            return Ok((path, text?));
         }
         let mut names = extensions.iter().map(|extension| format!("{name}{extension}"));
         if let Some((name, text)) = names.find_map(|name| standard_include(&name).map(|text| (name, text))) {
@@ -67,27 +63,41 @@ impl Evaluator<'_> {
     /// in the working directory, then in the include folders in order.
     ///
     /// As a last resort, which POV-Ray does not have, beside the file that names it, so that a
-    /// scene can be rendered from anywhere.
+    /// scene can be rendered from anywhere. Of files that may not be read the first is found where there is no other,
+    /// so that reading it says why.
     pub fn find_file(&mut self, name: &str, extensions: &[&str]) -> Option<PathBuf> {
         let extensions = if extensions.is_empty() { &[""] } else { extensions };
         let candidates: Vec<PathBuf> = extensions.iter().map(|e| PathBuf::from(format!("{name}{e}"))).collect();
-        for candidate in &candidates {
-            if self.host.exists(candidate) {
-                return Some(candidate.clone());
-            }
-            if candidate.is_absolute() {
-                continue;
-            }
-            for folder in &self.options.include_dirs {
-                let path = folder.join(candidate);
-                if self.host.exists(&path) {
-                    return Some(path);
-                }
+        let within = |candidate: &PathBuf, folders: &[PathBuf]| -> Vec<PathBuf> {
+            if candidate.is_absolute() { Vec::new() } else { folders.iter().map(|f| f.join(candidate)).collect() }
+        };
+        let usual = candidates.iter().flat_map(|candidate| {
+            std::iter::once(candidate.clone()).chain(within(candidate, &self.options.include_dirs))
+        });
+        let beside = self.open_folders();
+        let beside = candidates.iter().flat_map(|candidate| within(candidate, &beside));
+        let mut refused = None;
+        for path in usual.chain(beside) {
+            match self.host.status(&path) {
+                Status::Readable => return Some(path),
+                Status::Refused => refused = refused.or(Some(path)),
+                Status::Absent => {}
             }
         }
-        let beside: Vec<PathBuf> = self.open_folders();
-        let relative = candidates.iter().filter(|c| !c.is_absolute());
-        relative.flat_map(|c| beside.iter().map(move |folder| folder.join(c))).find(|path| self.host.exists(path))
+        refused
+    }
+
+    /// Whether there is a file that may be read.
+    pub(super) fn has_file(&mut self, name: &str) -> bool {
+        self.find_file(name, &[]).is_some_and(|path| self.host.status(&path) == Status::Readable)
+    }
+
+    /// The bytes of a file that was found.
+    pub(super) fn bytes_of(&self, path: &Path, span: Span) -> SourceResult<Vec<u8>> {
+        match self.host.read(path) {
+            Ok(bytes) => Ok(bytes),
+            Err(problem) => self.error(span, format!("cannot read {}: {problem}", path.display())),
+        }
     }
 
     /// Folders of the files being read, innermost first, down to the scene's own.

@@ -6,6 +6,9 @@ use super::{Evaluator, Place, Value};
 use crate::diag::{SourceResult, Span};
 use crate::syntax::Position;
 
+/// Turns and calls after which there may be something to say.
+const NOTEWORTHY: u64 = 1 << 20;
+
 impl Evaluator<'_> {
     /// The place of a token in the innermost cursor's piece.
     pub(super) fn position_of(&self, index: usize) -> Position {
@@ -31,7 +34,23 @@ impl Evaluator<'_> {
         if self.steps > limit {
             return self.limit(span, format!("more than {limit} turns of loops and macro calls"), "steps");
         }
+        if self.steps.is_multiple_of(NOTEWORTHY) {
+            self.host.progress(&|| self.at_work(span));
+        }
         Ok(())
+    }
+
+    /// What a scene is at that loops or calls macros for long.
+    fn at_work(&self, span: Span) -> String {
+        let place = |span: Span| {
+            let name = self.sources.file(span.file).map_or("", |file| &file.name);
+            format!("{name}:{}", self.sources.line_column(span).line)
+        };
+        let is_loop = |block: &&Block| matches!(block.kind, BlockKind::While { .. } | BlockKind::For(_));
+        let loops = self.open_blocks.iter().filter(is_loop).map(|block| block.span);
+        let outer = { loops }.find(|outer| *outer != span);
+        let within = outer.map_or_else(String::new, |outer| format!(" within the loop at {}", place(outer)));
+        format!("{}: still running{within}, {} turns and calls so far", place(span), self.steps)
     }
 
     /// Counts an object.
@@ -163,5 +182,48 @@ impl ForLoop {
     /// Whether a turn follows for that value of the variable.
     fn goes_on(&self, value: f64) -> bool {
         if self.step > 0.0 { value <= self.end + EPSILON } else { value >= self.end - EPSILON }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::eval::{Host, Kept, Memory, NoQueries, Options, Status, Stream, evaluate};
+    use std::io;
+    use std::path::Path;
+    use std::sync::Mutex;
+
+    /// A host that writes down what it is told of progress.
+    struct Watching(Memory, Mutex<Vec<String>>);
+
+    impl Host for Watching {
+        fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+            self.0.read(path)
+        }
+        fn status(&self, path: &Path) -> Status {
+            self.0.status(path)
+        }
+        fn create(&self, path: &Path) -> io::Result<Kept> {
+            self.0.create(path)
+        }
+        fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<Kept> {
+            self.0.append(path, bytes)
+        }
+        fn message(&self, stream: Stream, text: &str) {
+            self.0.message(stream, text);
+        }
+        fn progress(&self, what: &dyn Fn() -> String) {
+            self.1.lock().unwrap().push(what());
+        }
+    }
+
+    #[test]
+    fn long_loops_say_where_they_are() {
+        let text =
+            "#version 3.7;\n#for (I, 1, 2)\n#declare J = 0;\n#while (J < 700000)\n#declare J = J + 1;\n#end #end";
+        let host = Watching(Memory::new([("a.pov", text)]), Mutex::default());
+        assert!(evaluate("a.pov".as_ref(), &Options::default(), &host, &NoQueries).is_ok());
+        let told = host.1.into_inner().unwrap();
+        let expected = "a.pov:4: still running within the loop at a.pov:2, 1048576 turns and calls so far";
+        assert_eq!(told, [expected]);
     }
 }

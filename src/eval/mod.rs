@@ -57,14 +57,15 @@ mod formula_probes;
 #[cfg(test)]
 mod probes;
 
-pub use disk::Disk;
-pub use host::{Host, Memory, NoQueries, Stream};
+pub use disk::{Disk, Reach};
+pub use host::{Host, Kept, Memory, NoQueries, Status, Stream};
 pub use options::{Limits, Options};
 pub use standard_includes::{standard_include, standard_include_names};
 pub use value::{Array, Macro, Number, Value};
 
 use crate::diag::{Diagnostic, FileId, SourceMap, SourceResult, Span, Topic};
-use crate::scene::{Gamma, GeometryQueries, Scene, Settings};
+use crate::imaging::Encoded;
+use crate::scene::{Finish, Gamma, GeometryQueries, ImageFormat, Scene, Settings};
 use crate::syntax::{Names, Position, Source, Symbol, Token, TokenKind};
 use cursor::{Cursor, Role};
 use directives::Block;
@@ -130,8 +131,12 @@ pub struct Evaluator<'h> {
     case_wanted: bool,
     random: random::Streams,
     files: Vec<Option<OpenFile>>,
-    /// What was written to files that may not be written.
-    unsaved: rustc_hash::FxHashMap<PathBuf, Vec<u8>>,
+    /// Bytes that were written and are kept in memory.
+    n_kept: usize,
+    /// Pictures that were read, by place and type; what the scene writes may change them.
+    pictures: rustc_hash::FxHashMap<(PathBuf, ImageFormat), Arc<Encoded>>,
+    /// The finish that was written last.
+    last_finish: Option<Arc<Finish>>,
     warnings: Vec<Diagnostic>,
     /// Errors behind which reading went on.
     errors: Vec<Diagnostic>,
@@ -193,7 +198,9 @@ impl<'h> Evaluator<'h> {
             case_wanted: false,
             random: random::Streams::default(),
             files: Vec::new(),
-            unsaved: rustc_hash::FxHashMap::default(),
+            n_kept: 0,
+            last_finish: None,
+            pictures: rustc_hash::FxHashMap::default(),
             warnings: Vec::new(),
             errors: Vec::new(),
             undeclared_by_error: rustc_hash::FxHashSet::default(),

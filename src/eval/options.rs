@@ -92,17 +92,34 @@ impl Limits {
     }
 }
 
-impl Default for Limits {
-    fn default() -> Self {
+impl Limits {
+    /// For scenes of strangers: what fits into a few seconds and a small memory.
+    pub fn strict() -> Self {
         Self {
             include_depth: 64,
             macro_depth: 1000,
             nesting: 500,
             steps: 10_000_000,
             objects: 1_000_000,
-            parts: Settings::default().max_parts,
+            parts: 2_000_000,
             array_elements: 20_000_000,
             string_bytes: 1 << 24,
+        }
+    }
+}
+
+impl Default for Limits {
+    /// A hundred times and more of what honest scenes are known to need, so that only what would never end ends.
+    fn default() -> Self {
+        Self {
+            include_depth: 1000,
+            macro_depth: 100_000,
+            nesting: 50_000,
+            steps: 100_000_000_000,
+            objects: 200_000_000,
+            parts: Settings::default().max_parts,
+            array_elements: 500_000_000,
+            string_bytes: 1 << 28,
         }
     }
 }

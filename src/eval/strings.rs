@@ -178,7 +178,7 @@ impl Evaluator<'_> {
                 Keyword::Strlen => text.chars().count() as f64,
                 Keyword::Asc => text.chars().next().map_or(0.0, |c| f64::from(u32::from(c))),
                 Keyword::Val => leading_number(&text),
-                Keyword::FileExists => f64::from(e.find_file(&text, &[]).is_some()),
+                Keyword::FileExists => f64::from(e.has_file(&text)),
                 _ => {
                     e.comma()?;
                     let other = e.string()?;

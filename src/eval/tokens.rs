@@ -182,6 +182,16 @@ impl Evaluator<'_> {
         Ok(())
     }
 
+    /// The levels inside something that is complete, if they are not too many; declarations build them without nesting
+    /// any text.
+    pub(super) fn nested(&self, depth: u32, span: Span) -> SourceResult<u32> {
+        let limit = self.options.limits.nesting;
+        if depth as usize > limit {
+            return self.limit(span, format!("more than {limit} levels inside one another"), "nesting");
+        }
+        Ok(depth)
+    }
+
     /// The value of the peeked identifier, without indices, if it is one; not taken.
     pub fn declared(&mut self) -> SourceResult<Option<Value>> {
         match self.fill(false)? {

@@ -1,9 +1,11 @@
 //! Pictures that scenes use: any format in, plain numbers out.
 
-use super::{ImageError, read_exr};
+use super::ImageError;
+use super::exr_file::decode_exr;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
 use std::io::Cursor;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
 
 /// A decoded file: its numbers as they stand there, 0 to 1 for integer formats.
 #[derive(Clone, Debug, Default)]
@@ -12,10 +14,10 @@ pub struct Pixels {
     pub width: usize,
     /// Pixels down.
     pub height: usize,
-    /// Height x width, row-major, top row first.
-    pub rgba: Vec<[f32; 4]>,
+    /// Its colours.
+    pub samples: Samples,
     /// Palette index of each pixel, for palette pictures.
-    pub indices: Option<Vec<u8>>,
+    pub indices: Option<Arc<Vec<u8>>>,
     /// Whether the file carries alpha.
     pub has_alpha: bool,
     /// Colours are multiplied by alpha.
@@ -28,17 +30,74 @@ pub struct Pixels {
     pub gamma: Option<f64>,
 }
 
-/// Reads a picture; `kind` is the language's name of its type (`png`, `gif`, `pot`, `tga`, `bmp`, `pnm`,
-/// `jpeg`, `tiff`, `exr`, `hdr`).
+/// Height x width x (red, green, blue, opacity), row-major, top row first; shared with whoever uses them as they are.
+#[derive(Clone, Debug)]
+pub enum Samples {
+    /// Of formats with up to 8 bits: 255 is 1.
+    Bytes(Arc<Vec<u8>>),
+    /// Of all others.
+    Floats(Arc<Vec<[f32; 4]>>),
+}
+
+impl Default for Samples {
+    fn default() -> Self {
+        Self::Floats(Arc::default())
+    }
+}
+
+impl Pixels {
+    /// Red, green, blue and opacity of each pixel.
+    pub fn rgba(&self) -> impl Iterator<Item = [f32; 4]> {
+        let (bytes, floats): (&[u8], &[[f32; 4]]) = match &self.samples {
+            Samples::Bytes(bytes) => (bytes, &[]),
+            Samples::Floats(floats) => (&[], floats),
+        };
+        let small = bytes.as_chunks::<4>().0.iter().map(|p| p.map(|v| f32::from(v) / 255.0));
+        small.chain(floats.iter().copied())
+    }
+}
+
+/// The bytes of a picture, decoded when first asked for.
+#[derive(Debug)]
+pub struct Encoded {
+    path: PathBuf,
+    kind: &'static str,
+    bytes: Vec<u8>,
+    pixels: OnceLock<Result<Arc<Pixels>, String>>,
+}
+
+impl Encoded {
+    /// What [`decode`] takes.
+    pub fn new(path: PathBuf, kind: &'static str, bytes: Vec<u8>) -> Self {
+        Self { path, kind, bytes, pixels: OnceLock::new() }
+    }
+
+    /// What errors call it.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The pixels, the same ones whoever asks.
+    ///
+    /// # Errors
+    /// The message of [`decode`].
+    pub fn pixels(&self) -> Result<Arc<Pixels>, String> {
+        let decoded = || decode(&self.path, self.kind, &self.bytes).map(Arc::new).map_err(|e| e.to_string());
+        self.pixels.get_or_init(decoded).clone()
+    }
+}
+
+/// Decodes the bytes of a picture; `kind` is the language's name of its type (`png`, `gif`, `pot`, `tga`, `bmp`, `pnm`,
+/// `jpeg`, `tiff`, `exr`, `hdr`), and `path` is what errors call it.
 ///
 /// # Errors
 /// [`ImageError`] naming the file.
-pub fn decode(path: &Path, kind: &str) -> Result<Pixels, ImageError> {
+pub fn decode(path: &Path, kind: &str, bytes: &[u8]) -> Result<Pixels, ImageError> {
     if kind == "exr" {
-        let picture = read_exr(path)?;
+        let picture = decode_exr(path, bytes)?;
         let has_alpha = picture.has_alpha;
-        let (width, height, rgba) = (picture.width, picture.height, picture.pixels);
-        return Ok(Pixels { width, height, rgba, has_alpha, premultiplied: true, ..Pixels::default() });
+        let (width, height, samples) = (picture.width, picture.height, Samples::Floats(Arc::new(picture.pixels)));
+        return Ok(Pixels { width, height, samples, has_alpha, premultiplied: true, ..Pixels::default() });
     }
     let format = match kind {
         "png" => ImageFormat::Png,
@@ -54,29 +113,33 @@ pub fn decode(path: &Path, kind: &str) -> Result<Pixels, ImageError> {
             return Err(ImageError::Unsupported(path.to_owned(), format!("no reader for pictures of type {other}")));
         }
     };
-    let bytes = std::fs::read(path).map_err(|e| ImageError::Io(path.to_owned(), e))?;
     let invalid = |e: image::ImageError| ImageError::Invalid(path.to_owned(), e.to_string());
-    let mut reader = ImageReader::with_format(Cursor::new(&bytes), format);
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = image::Limits::default();
     limits.max_alloc = Some(2 << 30);
     reader.limits(limits);
     let decoder = reader.into_decoder().map_err(invalid)?;
     let original = decoder.original_color_type();
     let image = DynamicImage::from_decoder(decoder).map_err(invalid)?;
-    let mut pixels = to_pixels(&image);
+    let mut pixels = to_pixels(image);
     match kind {
-        "png" => read_png_chunks(&bytes, &mut pixels, original),
-        "gif" | "pot" => read_gif_indices(&bytes, &mut pixels),
+        "png" => read_png_chunks(bytes, &mut pixels, original),
+        "gif" | "pot" => read_gif_indices(bytes, &mut pixels),
         "tiff" => pixels.premultiplied = true,
         _ => {}
     }
     Ok(pixels)
 }
 
-fn to_pixels(image: &DynamicImage) -> Pixels {
+fn to_pixels(image: DynamicImage) -> Pixels {
+    use image::ColorType as C;
     let has_alpha = image.color().has_alpha();
-    let rgba: Vec<[f32; 4]> = image.to_rgba32f().pixels().map(|p| p.0).collect();
-    Pixels { width: image.width() as usize, height: image.height() as usize, rgba, has_alpha, ..Pixels::default() }
+    let (width, height) = (image.width() as usize, image.height() as usize);
+    let samples = match image.color() {
+        C::L8 | C::La8 | C::Rgb8 | C::Rgba8 => Samples::Bytes(Arc::new(image.into_rgba8().into_raw())),
+        _ => Samples::Floats(Arc::new(image.into_rgba32f().into_raw().as_chunks::<4>().0.to_vec())),
+    };
+    Pixels { width, height, samples, has_alpha, ..Pixels::default() }
 }
 
 /// What the chunks before the pixels say; a damaged file has been refused before.
@@ -105,7 +168,7 @@ fn read_png_chunks(bytes: &[u8], pixels: &mut Pixels, original: image::ExtendedC
     if let Some(palette) = palette {
         let alpha = transparent.unwrap_or_default();
         let entries = palette.iter().enumerate().map(|(i, c)| [c[0], c[1], c[2], alpha.get(i).copied().unwrap_or(255)]);
-        pixels.indices = Some(indices_of(&pixels.rgba, entries));
+        pixels.indices = Some(Arc::new(indices_of(pixels, entries)));
         pixels.grey8 = false;
         // A palette picture always counts as having alpha.
         pixels.has_alpha = true;
@@ -119,23 +182,20 @@ fn read_gif_indices(bytes: &[u8], pixels: &mut Pixels) {
     let Ok(mut decoder) = options.read_info(bytes) else { return };
     let Ok(Some(frame)) = decoder.read_next_frame() else { return };
     if (usize::from(frame.width), usize::from(frame.height)) == (pixels.width, pixels.height) {
-        pixels.indices = Some(frame.buffer.to_vec());
+        pixels.indices = Some(Arc::new(frame.buffer.to_vec()));
     }
 }
 
 /// Finds each pixel's palette entry by its colour; of equal entries the first.
-fn indices_of(rgba: &[[f32; 4]], entries: impl Iterator<Item = [u8; 4]>) -> Vec<u8> {
+fn indices_of(pixels: &Pixels, entries: impl Iterator<Item = [u8; 4]>) -> Vec<u8> {
     let mut table = rustc_hash::FxHashMap::default();
     for (i, entry) in entries.enumerate().take(256) {
         table.entry(entry).or_insert(i as u8);
     }
+    let find =
+        |[r, g, b, a]: [u8; 4]| table.get(&[r, g, b, a]).or_else(|| table.get(&[r, g, b, 255])).copied().unwrap_or(0);
     // Bytes over 255, which rounding has moved by less than half a step.
-    let bytes = |p: &[f32; 4]| p.map(|v| (v * 255.0 + 0.5) as u8);
-    let find = |p: &[f32; 4]| {
-        let [r, g, b, a] = bytes(p);
-        table.get(&[r, g, b, a]).or_else(|| table.get(&[r, g, b, 255])).copied().unwrap_or(0)
-    };
-    rgba.iter().map(find).collect()
+    pixels.rgba().map(|p| find(p.map(|v| (v * 255.0 + 0.5) as u8))).collect()
 }
 
 #[cfg(test)]
@@ -146,8 +206,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(name);
         image.save(&path).unwrap();
-        let pixels = decode(&path, kind).unwrap();
-        let found = pixels.rgba[0];
+        let pixels = decode(&path, kind, &std::fs::read(&path).unwrap()).unwrap();
+        let found = pixels.rgba().next().unwrap();
         found.iter().zip(expected).for_each(|(f, e)| assert!((f - e).abs() < 1e-6, "{name}: {found:?}"));
         pixels
     }
@@ -167,10 +227,9 @@ mod tests {
 
     #[test]
     fn other_files_are_refused() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.png");
-        std::fs::write(&path, b"no picture").unwrap();
-        assert!(decode(&path, "png").is_err());
-        assert!(decode(Path::new("missing.png"), "png").is_err());
+        for kind in ["png", "gif", "tga", "bmp", "pnm", "jpeg", "tiff", "hdr", "exr"] {
+            assert!(decode("a".as_ref(), kind, b"no picture").is_err(), "{kind}");
+            assert!(decode("a".as_ref(), kind, b"").is_err(), "{kind}");
+        }
     }
 }

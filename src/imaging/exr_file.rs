@@ -45,7 +45,29 @@ pub(super) fn encode_exr(
         chunks.into_iter().enumerate().try_for_each(|(i, chunk)| writer.write_chunk(i, chunk))
     };
     exr::block::write(&mut bytes, [header].into_iter().collect(), true, write).map_err(|e| invalid(path, &e))?;
-    Ok(bytes.into_inner())
+    let mut bytes = bytes.into_inner();
+    sort_attributes(&mut bytes);
+    Ok(bytes)
+}
+
+/// Puts the attributes of the header in the order of their names: the library's order is another for each file.
+///
+/// An attribute is a name and a type, each with a zero behind it, the size of its value and the value; a zero in the
+/// place of a name ends the header. Source: OpenEXR, "File Layout", 2013.
+fn sort_attributes(file: &mut [u8]) {
+    const MAGIC_AND_VERSION: usize = 8;
+    let attribute = |from: usize| -> Option<usize> {
+        let word = |from: usize| Some(from + file.get(from..)?.iter().position(|byte| *byte == 0)? + 1);
+        let size = word(word(from)?)?;
+        let length = file.get(size..size + 4)?.try_into().ok().map(u32::from_le_bytes)?;
+        (file[from] != 0).then_some(size + 4 + length as usize)
+    };
+    let ends = std::iter::successors(Some(MAGIC_AND_VERSION), |from| attribute(*from)).collect::<Vec<_>>();
+    let mut attributes: Vec<Vec<u8>> =
+        ends.windows(2).filter_map(|ends| Some(file.get(ends[0]..ends[1])?.to_vec())).collect();
+    attributes.sort();
+    let sorted = attributes.concat();
+    file[MAGIC_AND_VERSION..MAGIC_AND_VERSION + sorted.len()].copy_from_slice(&sorted);
 }
 
 /// Colours and layers by name, which is the order of the format.
@@ -101,7 +123,8 @@ pub fn read_exr(path: &Path) -> Result<Picture, ImageError> {
     decode_exr(path, &bytes)
 }
 
-fn decode_exr(path: &Path, bytes: &[u8]) -> Result<Picture, ImageError> {
+/// Decodes the bytes of an EXR file as [`read_exr`] does; `path` is what errors call it.
+pub(super) fn decode_exr(path: &Path, bytes: &[u8]) -> Result<Picture, ImageError> {
     let image = exr::prelude::read()
         .no_deep_data()
         .largest_resolution_level()

@@ -25,7 +25,7 @@ mod transfer;
 
 pub use atomic::write_whole;
 pub use cryptomatte::cryptomatte;
-pub use decode::{Pixels, decode};
+pub use decode::{Encoded, Pixels, Samples, decode};
 pub use error::ImageError;
 pub use exr_file::read_exr;
 pub use flip::flip;

@@ -25,6 +25,10 @@ pub struct Object {
     pub span: Span,
     /// The identifier the object was declared under, for object layers.
     pub name: Option<Arc<str>>,
+    /// Levels of objects, textures and pigments inside one another, down from this one; noted once it is complete.
+    pub depth: u32,
+    /// As [`Shape::is_patch`], noted at the start: asking all levels below at each level takes the square of their number.
+    pub is_patch: bool,
 }
 
 /// What few objects have; takes up no room in all others, where it reads as nothing said.
@@ -189,6 +193,7 @@ impl Object {
     /// A bare shape in its own place.
     pub fn new(shape: Shape, span: Span) -> Self {
         Self {
+            is_patch: shape.is_patch(),
             shape,
             place: Place::default(),
             texture: None,
@@ -197,7 +202,20 @@ impl Object {
             flags: Flags::default(),
             span,
             name: None,
+            depth: 0,
         }
+    }
+
+    /// What [`depth`](Self::depth) is to be, from the parts.
+    pub fn depth_of_parts(&self) -> u32 {
+        let looks = match &self.shape {
+            Shape::LightSource(light) => light.looks_like.as_ref(),
+            _ => None,
+        };
+        let cuts = self.rare.clipped_by.iter().chain(&self.rare.bounded_by);
+        let objects = self.shape.children().iter().chain(looks).chain(cuts).map(|o| o.depth);
+        let textures = [&self.texture, &self.rare.interior_texture].into_iter().flatten();
+        objects.chain(textures.map(|placed| placed.texture.depth())).max().map_or(0, |deepest| deepest + 1)
     }
 
     /// Moves the object with everything it has so far: shape, textures, clips, bounds, interior.

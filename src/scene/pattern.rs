@@ -215,6 +215,15 @@ impl Pattern {
         Self { frequency: if kind.has_no_frequency() { 0.0 } else { 1.0 }, wave, kind, ..Self::default() }
     }
 
+    /// Levels of objects and pigments inside one another.
+    pub fn depth(&self) -> u32 {
+        match &self.kind {
+            PatternKind::Object(object) => object.depth + 1,
+            PatternKind::Pigment(pigment) => pigment.depth + 1,
+            _ => 0,
+        }
+    }
+
     /// Applies a transformation written after everything so far.
     ///
     /// Successive transformations become one; identities vanish.
@@ -222,8 +231,14 @@ impl Pattern {
         if let Some(Warp::Transform(last)) = self.warps.last_mut() {
             *last = last.then(transform);
         } else if !transform.is_identity() {
-            self.warps.push(Warp::Transform(*transform));
+            self.add(Warp::Transform(*transform));
         }
+    }
+
+    /// Adds a step. Most patterns have one, and room for more would take most of their memory.
+    pub fn add(&mut self, warp: Warp) {
+        self.warps.reserve_exact(1);
+        self.warps.push(warp);
     }
 }
 

@@ -1,8 +1,8 @@
 //! `global_settings` and the pictures that scenes refer to.
 
 use crate::function::Function;
+use crate::imaging::Encoded;
 use crate::math::Rgb;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// `global_settings` with POV-Ray's defaults.
@@ -61,7 +61,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             version: 362,
-            max_parts: 2_000_000,
+            max_parts: 200_000_000,
             gamma: Gamma::None,
             ambient_light: Rgb::ONE,
             irid_wavelength: Rgb::new(0.70, 0.52, 0.48),
@@ -101,11 +101,11 @@ pub struct Image {
 /// Where pixels come from.
 #[derive(Clone, Debug)]
 pub enum ImageSource {
-    /// A file on disk, already looked up and readable, with its type.
+    /// A file.
     File {
-        /// Where it was found.
-        path: PathBuf,
-        /// How to read it.
+        /// Its bytes as the scene was given them; statements that name the same file share them.
+        file: Arc<Encoded>,
+        /// Its type, which decides what its numbers mean.
         format: ImageFormat,
     },
     /// `function W, H { … }`.
@@ -120,7 +120,7 @@ pub enum ImageSource {
 }
 
 /// File types of the language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
 pub enum ImageFormat {
     Png,
@@ -133,6 +133,24 @@ pub enum ImageFormat {
     Exr,
     Hdr,
     Pot,
+}
+
+impl ImageFormat {
+    /// The name under which [`imaging::decode`](crate::imaging::decode) knows it.
+    pub fn decoder(self) -> &'static str {
+        match self {
+            Self::Png => "png",
+            Self::Gif => "gif",
+            Self::Tga => "tga",
+            Self::Bmp => "bmp",
+            Self::Pnm => "pnm",
+            Self::Jpeg => "jpeg",
+            Self::Tiff => "tiff",
+            Self::Exr => "exr",
+            Self::Hdr => "hdr",
+            Self::Pot => "pot",
+        }
+    }
 }
 
 /// Projections of a picture.

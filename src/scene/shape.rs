@@ -121,6 +121,17 @@ pub struct SmoothTriangle {
 }
 
 impl Shape {
+    /// Whether it, or a part of it, has no inside.
+    pub fn is_patch(&self) -> bool {
+        match self {
+            Self::Triangle { .. } | Self::SmoothTriangle(_) | Self::BicubicPatch(_) | Self::Parametric(_) => true,
+            Self::Mesh(mesh) => mesh.inside_vector.is_none(),
+            Self::LightSource(_) => true,
+            Self::Csg { children, .. } => children.iter().any(|child| child.is_patch),
+            _ => false,
+        }
+    }
+
     /// The word for this kind of shape.
     pub fn kind(&self) -> &'static str {
         match self {

@@ -39,6 +39,8 @@ pub struct PatternedTexture {
     pub no_bump_scale: bool,
     /// Inner texture looked up at (u, v, 0).
     pub uv_mapping: bool,
+    /// As [`Pigment::depth`].
+    pub depth: u32,
 }
 
 /// How a pattern's value picks among items.
@@ -72,24 +74,26 @@ pub struct Pigment {
     pub quick_color: Option<Color>,
     /// Everything inside is looked up at (u, v, 0).
     pub uv_mapping: bool,
+    /// Levels of parts inside one another, down from this one; noted once it is complete.
+    pub depth: u32,
 }
 
-/// The sorts of pigment.
+/// The sorts of pigment. Copies that stand elsewhere share everything but the pattern.
 #[derive(Clone, Debug)]
 pub enum PigmentKind {
     /// The same everywhere.
     Solid(Color),
     /// A pattern through a colour map (explicit or the pattern's default).
-    Colors(Pattern, Blend<Color>),
+    Colors(Box<Pattern>, Arc<Blend<Color>>),
     /// A pattern through other pigments.
-    Pigments(Pattern, Blend<Arc<Pigment>>),
+    Pigments(Box<Pattern>, Arc<Blend<Arc<Pigment>>>),
     /// `image_map`; the pattern carries only its warps.
-    Image(Pattern, Arc<ImageMap>),
+    Image(Box<Pattern>, Arc<ImageMap>),
 }
 
 impl Default for Pigment {
     fn default() -> Self {
-        Self { kind: PigmentKind::Solid(Color::BLACK), quick_color: None, uv_mapping: false }
+        Self { kind: PigmentKind::Solid(Color::BLACK), quick_color: None, uv_mapping: false, depth: 0 }
     }
 }
 
@@ -156,6 +160,8 @@ pub struct Normal {
     pub no_bump_scale: bool,
     /// Inner normal at (u, v, 0).
     pub uv_mapping: bool,
+    /// As [`Pigment::depth`].
+    pub depth: u32,
 }
 
 /// The sorts of normal.
@@ -259,6 +265,7 @@ impl Default for Normal {
             accuracy: 0.02,
             no_bump_scale: false,
             uv_mapping: false,
+            depth: 0,
         }
     }
 }
@@ -269,7 +276,33 @@ impl Default for Texture {
     }
 }
 
+impl<T> Blend<T> {
+    /// All items, as written.
+    pub fn items(&self) -> impl Iterator<Item = &T> {
+        let (entries, list): (&[MapEntry<T>], &[T]) = match self {
+            Self::Default => (&[], &[]),
+            Self::Map(entries) | Self::Average(entries) => (entries, &[]),
+            Self::List(list) => (&[], list),
+        };
+        entries.iter().map(|entry| &entry.item).chain(list)
+    }
+}
+
+/// One level more than the deepest of some parts.
+fn around(parts: impl Iterator<Item = u32>) -> u32 {
+    parts.max().map_or(0, |deepest| deepest + 1)
+}
+
 impl Pigment {
+    /// What [`depth`](Self::depth) is to be, from the parts.
+    pub fn depth_of_parts(&self) -> u32 {
+        match &self.kind {
+            PigmentKind::Solid(_) => 0,
+            PigmentKind::Colors(pattern, _) | PigmentKind::Image(pattern, _) => pattern.depth(),
+            PigmentKind::Pigments(pattern, list) => around(list.items().map(|p| p.depth)).max(pattern.depth()),
+        }
+    }
+
     /// The colour, if it is the same everywhere.
     pub fn solid(color: Color) -> Self {
         Self { kind: PigmentKind::Solid(color), ..Self::default() }
@@ -288,6 +321,15 @@ impl Pigment {
 }
 
 impl Normal {
+    /// What [`depth`](Self::depth) is to be, from the parts.
+    pub fn depth_of_parts(&self) -> u32 {
+        match &self.kind {
+            NormalKind::Pattern(pattern, _) | NormalKind::BumpMap(pattern, _) => pattern.depth(),
+            NormalKind::Facets { pattern, .. } => pattern.depth(),
+            NormalKind::Normals(pattern, list) => around(list.items().map(|n| n.depth)).max(pattern.depth()),
+        }
+    }
+
     /// Applies a transformation written after the whole normal; what is looked up at (u, v, 0) stays.
     pub fn apply(&mut self, transform: &Transform) {
         if self.uv_mapping {
@@ -300,7 +342,26 @@ impl Normal {
     }
 }
 
+impl PatternedTexture {
+    /// What [`depth`](Self::depth) is to be, from the parts.
+    pub fn depth_of_parts(&self) -> u32 {
+        around(self.map.items().map(|texture| texture.depth())).max(self.pattern.depth())
+    }
+}
+
 impl Texture {
+    /// Levels of parts inside one another.
+    pub fn depth(&self) -> u32 {
+        match self {
+            Self::Patterned(patterned) => patterned.depth,
+            Self::Layers(layers) => {
+                let deepest =
+                    |layer: &TextureLayer| layer.pigment.depth.max(layer.normal.as_ref().map_or(0, |n| n.depth));
+                layers.iter().map(deepest).max().unwrap_or(0)
+            }
+        }
+    }
+
     /// Applies a transformation written after the whole texture; what is looked up at (u, v, 0) stays.
     pub fn apply(&mut self, transform: &Transform) {
         match self {

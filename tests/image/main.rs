@@ -2,6 +2,7 @@
 
 mod exr;
 mod layers;
+mod memory;
 mod region;
 
 use whitted::compile::{self, Queries};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use whitted::compile::{self, Queries};
-use whitted::eval::{self, Disk};
+use whitted::eval::{self, Disk, Reach};
 use whitted::job::Session;
 use whitted::render::{Options, Unobserved};
 
@@ -19,7 +19,8 @@ fn pixel(scene: &Path, options: &str) -> [f32; 4] {
     };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/versions");
     let reading = eval::Options { version, include_dirs: vec![folder.clone()], ..eval::Options::default() };
-    let host = Disk::new(scene, &[folder], &[], |_, _| {});
+    let reach = Reach { scene: scene.to_owned(), include: vec![folder], ..Reach::default() };
+    let host = Disk::new(&reach, |_, _| {});
     let read = eval::evaluate(scene, &reading, &host, &Queries::default());
     let read = read.unwrap_or_else(|f| panic!("{:?}", f.diagnostics));
     let compiled = compile::compile(&read.scene).unwrap_or_else(|e| panic!("{e:?}"));

@@ -4,6 +4,7 @@
 //! groups; everything else is written out in its group's space.
 
 use super::census::{Census, Entry};
+use super::height_field::GridKey;
 use super::labels::Labeler;
 use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
@@ -16,6 +17,7 @@ use crate::compiled::geometry::{
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
 use crate::scene::{CsgOperation, Interior, Object, Shape, Texture};
+use crate::stack::roomy;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -48,7 +50,7 @@ pub(super) struct Builder<'a> {
     pub(super) unmoved_ids: FxHashMap<*const Texture, u32>,
     pub(super) interiors: Vec<Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
-    pub(super) height_grids: FxHashMap<*const crate::scene::HeightField, Arc<crate::compiled::geometry::HeightGrid>>,
+    pub(super) height_grids: FxHashMap<GridKey, Arc<crate::compiled::geometry::HeightGrid>>,
     /// By the object as it was first declared.
     pub(super) watched: FxHashMap<*const crate::scene::Isosurface, super::watch::Watched>,
     pub(super) errors: Vec<Diagnostic>,
@@ -107,7 +109,7 @@ impl<'a> Builder<'a> {
     /// Places an object in a group. `height` grows to that of the instances inside.
     fn place(&mut self, object: &Object, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
         let outer = self.labeler.enter(object);
-        self.place_kind(object, around, split, items, height);
+        roomy(|| self.place_kind(object, around, split, items, height));
         self.labeler.leave(outer);
     }
 
@@ -279,6 +281,10 @@ impl<'a> Builder<'a> {
 
     /// Builds an object as a part of a solid; `None` for what has no surface.
     fn node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
+        roomy(|| self.whole_node(object, around, id, is_root))
+    }
+
+    fn whole_node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
         if let Shape::LightSource(light) = &object.shape {
             let looks = light.looks_like.clone()?;
             return self.node(&looks, &Context { no_shadow: true, ..around.clone() }, id, is_root);

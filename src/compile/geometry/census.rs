@@ -1,12 +1,9 @@
-//! Pass 1, `census`: what a scene uses how often, how large it is, and whether we can render it.
+//! Pass 1, `census`: what a scene uses how often, and how large it is.
 
-use crate::diag::Diagnostic;
 use crate::scene::{Object, Shape};
+use crate::stack::roomy;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
-
-/// How deep objects may stand inside each other; each level costs stack while rendering.
-pub(super) const MAX_NESTING: usize = 400;
 
 /// What is known about one list of children, which every copy of a CSG object shares.
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,26 +26,23 @@ pub(super) struct Census {
     entries: FxHashMap<*const Arc<Object>, Entry>,
     /// Objects that stand in no list of children, by address.
     counted: FxHashMap<*const Object, Entry>,
-    pub(super) errors: Vec<Diagnostic>,
 }
 
 impl Census {
     /// Visits an object and everything in it.
-    pub(super) fn count(&mut self, object: &Object, depth: usize) -> Entry {
-        if depth > MAX_NESTING {
-            let message = format!("objects nested more than {MAX_NESTING} deep");
-            self.errors
-                .push(Diagnostic::error(object.span, message).hint("build fewer levels, with more objects in each"));
-            return Entry::default();
-        }
+    pub(super) fn count(&mut self, object: &Object) -> Entry {
+        roomy(|| self.count_parts(object))
+    }
+
+    fn count_parts(&mut self, object: &Object) -> Entry {
         for other in object.rare.clipped_by.iter().chain(&object.rare.bounded_by) {
-            self.count_once(other, depth + 1);
+            self.count_once(other);
         }
         let mut entry = match &object.shape {
-            Shape::Csg { children, .. } => self.count_children(children, depth),
-            Shape::LightGroup { children, .. } => Entry { light_groups: true, ..self.count_children(children, depth) },
+            Shape::Csg { children, .. } => self.count_children(children),
+            Shape::LightGroup { children, .. } => Entry { light_groups: true, ..self.count_children(children) },
             Shape::LightSource(light) => {
-                let looks = light.looks_like.as_ref().map(|o| self.count_once(o, depth + 1)).unwrap_or_default();
+                let looks = light.looks_like.as_ref().map(|o| self.count_once(o)).unwrap_or_default();
                 Entry { lights: 1, ..looks }
             }
             _ => Entry { weight: 1, ..Entry::default() },
@@ -58,16 +52,16 @@ impl Census {
     }
 
     /// An object that many may refer to.
-    fn count_once(&mut self, object: &Arc<Object>, depth: usize) -> Entry {
+    fn count_once(&mut self, object: &Arc<Object>) -> Entry {
         if let Some(known) = self.counted.get(&Arc::as_ptr(object)) {
             return *known;
         }
-        let entry = self.count(object, depth);
+        let entry = self.count(object);
         self.counted.insert(Arc::as_ptr(object), entry);
         entry
     }
 
-    fn count_children(&mut self, children: &Arc<[Arc<Object>]>, depth: usize) -> Entry {
+    fn count_children(&mut self, children: &Arc<[Arc<Object>]>) -> Entry {
         let key = children.as_ptr();
         if let Some(known) = self.entries.get_mut(&key) {
             known.uses += 1;
@@ -75,7 +69,7 @@ impl Census {
         }
         let mut sum = Entry { uses: 1, ..Entry::default() };
         for child in children.iter() {
-            let one = self.count(child, depth + 1);
+            let one = self.count(child);
             sum.weight = sum.weight.saturating_add(one.weight);
             sum.lights = sum.lights.saturating_add(one.lights);
             sum.light_groups |= one.light_groups;

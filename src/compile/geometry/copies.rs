@@ -8,6 +8,7 @@ use super::builder::can_be_shared;
 use super::census::Census;
 use crate::compiled::geometry::MAX_INSTANCE_DEPTH;
 use crate::scene::{Object, Shape};
+use crate::stack::roomy;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -49,6 +50,10 @@ impl<'c> Copies<'c> {
 
     /// As [`super::builder::Builder`] places it.
     fn place(&mut self, object: &Object, split: bool) -> Cost {
+        roomy(|| self.place_parts(object, split))
+    }
+
+    fn place_parts(&mut self, object: &Object, split: bool) -> Cost {
         if is_single(object) {
             return Cost { parts: 1, height: 0 };
         }
@@ -103,7 +108,7 @@ impl<'c> Copies<'c> {
             _ => None,
         };
         let all = children.iter().chain(looks).chain(&object.rare.clipped_by).chain(&object.rare.bounded_by);
-        let n = all.fold(1_u64, |n, one| n.saturating_add(self.solid(one)));
+        let n = roomy(|| all.fold(1_u64, |n, one| n.saturating_add(self.solid(one))));
         self.solids.insert(object, n);
         n
     }

@@ -9,6 +9,7 @@ use super::text::glyph_boxes;
 use crate::compiled::geometry::Shape as Compiled;
 use crate::math::{Bounds, DVec2, DVec3, Transform};
 use crate::scene::{Blob, CsgOperation, Object, Shape, SweepSpline};
+use crate::stack::roomy;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -33,7 +34,7 @@ fn shared_extent(object: &Arc<Object>, known: &mut Known) -> Bounds {
     if let Some(extent) = known.get(&Arc::as_ptr(object)) {
         return *extent;
     }
-    let extent = extent_with(object, known);
+    let extent = roomy(|| extent_with(object, known));
     known.insert(Arc::as_ptr(object), extent);
     extent
 }

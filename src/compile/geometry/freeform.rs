@@ -2,6 +2,7 @@
 
 use super::POV_TINY;
 use super::builder::Builder;
+use super::height_field::{grid_key, height_grid};
 use super::implicit;
 use super::looks::Context;
 use super::primitive::Folded;
@@ -55,19 +56,20 @@ fn placed(shape: Compiled, place: Transform) -> Folded {
     Folded { shape, group_from_local: (!place.is_identity()).then_some(place), uv_from_group: None }
 }
 
-/// A height field, whose grid all its copies share.
+/// A height field, whose grid all that are made alike share.
 fn convert_height_field(
     builder: &mut Builder<'_>,
     field: &Arc<scene::HeightField>,
     object: &Object,
     inside: &Context,
 ) -> Option<Folded> {
-    let grid = match builder.height_grids.get(&Arc::as_ptr(field)) {
+    let key = grid_key(field);
+    let grid = match builder.height_grids.get(&key) {
         Some(grid) => Arc::clone(grid),
-        None => match super::height_field::height_grid(field) {
+        None => match height_grid(field) {
             Ok(grid) => {
                 let grid = Arc::new(grid?);
-                builder.height_grids.insert(Arc::as_ptr(field), Arc::clone(&grid));
+                builder.height_grids.insert(key, Arc::clone(&grid));
                 grid
             }
             Err(message) => {

@@ -2,11 +2,30 @@
 //!
 //! Source: freeform facts, section 3.
 
-use crate::compile::picture::{decoder_name, stored_level};
+use crate::compile::picture::stored_level;
 use crate::compiled::geometry::HeightGrid;
 use crate::function::Function;
-use crate::imaging::{Pixels, decode, linear_from_srgb};
+use crate::imaging::{Pixels, linear_from_srgb};
 use crate::scene::{self, ImageFormat, ImageSource, Working};
+use std::sync::Arc;
+
+/// All that decides what the grid of a height field is; its picture lives as long as the scene, so its address serves.
+pub(super) type GridKey = [u64; 6];
+
+/// What tells a height field from others.
+pub(super) fn grid_key(field: &scene::HeightField) -> GridKey {
+    let (address, size) = match &field.image.source {
+        ImageSource::File { file, format } => (Arc::as_ptr(file).addr(), [*format as u32, 0]),
+        ImageSource::Function { width, height, function } => (Arc::as_ptr(function).addr(), [*width, *height]),
+    };
+    let gamma = match field.image.gamma {
+        None => f64::NEG_INFINITY,
+        Some(Working::Srgb) => f64::INFINITY,
+        Some(Working::Power(power)) => power,
+    };
+    let [a, b] = size.map(u64::from);
+    [address as u64, a, b, gamma.to_bits(), field.water_level.to_bits(), u64::from(field.smooth)]
+}
 
 /// Builds the grid of a height field.
 ///
@@ -14,16 +33,13 @@ use crate::scene::{self, ImageFormat, ImageSource, Working};
 /// A message if the picture cannot be read.
 pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGrid>, String> {
     let (width, depth, top_down) = match &field.image.source {
-        ImageSource::File { path, format } => {
-            let mut pixels = decode(path, decoder_name(*format)).map_err(|e| e.to_string())?;
+        ImageSource::File { file, format } => {
+            let pixels = file.pixels()?;
             if *format == ImageFormat::Pot {
                 let heights = from_potential(&pixels).ok_or("a pot file must be a GIF of even width")?;
                 (pixels.width / 2, pixels.height, heights)
             } else {
-                // As the file has them: gamma makes other numbers of them.
-                let levels = Levels::of(&pixels, *format);
-                apply_gamma(&mut pixels, field.image.gamma);
-                (pixels.width, pixels.height, from_pixels(&pixels, levels))
+                (pixels.width, pixels.height, from_pixels(&pixels, *format, field.image.gamma))
             }
         }
         ImageSource::Function { width, height, function } => {
@@ -50,15 +66,13 @@ fn from_potential(pixels: &Pixels) -> Option<Vec<u16>> {
 }
 
 /// Raw numbers count, unless a `gamma` was written.
-fn apply_gamma(pixels: &mut Pixels, gamma: Option<Working>) {
-    let Some(gamma) = gamma else { return };
+fn decoded(gamma: Option<Working>, [r, g, b, a]: [f32; 4]) -> [f32; 4] {
     let linear = |v: f32| match gamma {
-        Working::Srgb => linear_from_srgb(v),
-        Working::Power(power) => f64::from(v.max(0.0)).powf(power) as f32,
+        None => v,
+        Some(Working::Srgb) => linear_from_srgb(v),
+        Some(Working::Power(power)) => f64::from(v.max(0.0)).powf(power) as f32,
     };
-    for p in &mut pixels.rgba {
-        *p = [linear(p[0]), linear(p[1]), linear(p[2]), p[3]];
-    }
+    [linear(r), linear(g), linear(b), a]
 }
 
 /// How a picture that is not a palette holds its heights (freeform facts, section 3).
@@ -81,21 +95,21 @@ impl Levels {
         /// A 16-bit value that 8 bits cannot hold is at least 1/257 of a step away from one that they can, and single
         /// precision adds less than 1e-4 to that.
         const EIGHT_BITS: f32 = 1e-3;
-        let deep = |p: &[f32; 4]| p[..3].iter().any(|v| (v * 255.0 - (v * 255.0).round()).abs() > EIGHT_BITS);
+        let deep = |p: [f32; 4]| p[..3].iter().any(|v| (v * 255.0 - (v * 255.0).round()).abs() > EIGHT_BITS);
         if matches!(format, ImageFormat::Exr | ImageFormat::Hdr) {
             Self::Float
         } else if pixels.grey8 {
             Self::RoundedGrey
-        } else if pixels.rgba.iter().all(|[r, g, b, _]| r == g && g == b) {
+        } else if pixels.rgba().all(|[r, g, b, _]| r == g && g == b) {
             Self::Grey
-        } else if pixels.rgba.iter().any(deep) {
+        } else if pixels.rgba().any(deep) {
             Self::Brightness
         } else {
             Self::Bytes
         }
     }
 
-    fn height(self, &[r, g, b, _]: &[f32; 4]) -> f64 {
+    fn height(self, [r, g, b, _]: [f32; 4]) -> f64 {
         /// Pixels are single precision: less than this below a whole number is that number.
         const ROUNDING: f64 = 0.01;
         let byte = |v: f32| (f64::from(v) * 255.0).round();
@@ -117,10 +131,12 @@ impl Levels {
 }
 
 /// Heights by the kind of picture, top row first.
-fn from_pixels(pixels: &Pixels, levels: Levels) -> Vec<u16> {
+fn from_pixels(pixels: &Pixels, format: ImageFormat, gamma: Option<Working>) -> Vec<u16> {
+    // As the file has them: gamma makes other numbers of them.
+    let levels = Levels::of(pixels, format);
     match &pixels.indices {
         Some(indices) => indices.iter().map(|i| u16::from(*i) * 256).collect(),
-        None => pixels.rgba.iter().map(|p| levels.height(p) as u16).collect(),
+        None => pixels.rgba().map(|p| levels.height(decoded(gamma, p)) as u16).collect(),
     }
 }
 
@@ -145,23 +161,14 @@ fn from_function(width: usize, height: usize, function: &Function) -> Vec<u16> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::imaging::Samples;
 
     /// Heights of a picture of these pixels.
     fn check(format: ImageFormat, grey8: bool, rgb: &[[f32; 3]], expected: &[u16]) {
         let rgba = rgb.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
-        let (width, height, gamma) = (rgb.len(), 1, None);
-        let pixels = Pixels {
-            width,
-            height,
-            rgba,
-            indices: None,
-            has_alpha: false,
-            premultiplied: false,
-            grey8,
-            srgb: false,
-            gamma,
-        };
-        assert_eq!(from_pixels(&pixels, Levels::of(&pixels, format)), expected, "{format:?} {rgb:?}");
+        let samples = Samples::Floats(Arc::new(rgba));
+        let pixels = Pixels { width: rgb.len(), height: 1, samples, grey8, ..Pixels::default() };
+        assert_eq!(from_pixels(&pixels, format, None), expected, "{format:?} {rgb:?}");
     }
 
     /// Probe values of section 3 of the freeform facts.
@@ -179,19 +186,9 @@ mod tests {
         check(ImageFormat::Png, false, &[[byte(40), byte(200), byte(9)], grey(byte(7))], &[10440, 7 * 257]);
         check(ImageFormat::Png, false, &[[word(40000), word(20000), word(5)]], &[23660]);
         check(ImageFormat::Exr, false, &[[0.25, 0.5, 0.0]], &[16447]);
-        let indices = Some(vec![40, 255]);
-        let rgba = vec![[0.3, 0.2, 0.1, 1.0]; 2];
-        let pixels = Pixels {
-            width: 2,
-            height: 1,
-            rgba,
-            indices,
-            has_alpha: false,
-            premultiplied: false,
-            grey8: false,
-            srgb: false,
-            gamma: None,
-        };
-        assert_eq!(from_pixels(&pixels, Levels::of(&pixels, ImageFormat::Gif)), [10240, 65280]);
+        let samples = Samples::Floats(Arc::new(vec![[0.3, 0.2, 0.1, 1.0]; 2]));
+        let indices = Some(Arc::new(vec![40, 255]));
+        let pixels = Pixels { width: 2, height: 1, samples, indices, ..Pixels::default() };
+        assert_eq!(from_pixels(&pixels, ImageFormat::Gif, None), [10240, 65280]);
     }
 }

@@ -5,6 +5,7 @@ use super::{CompiledGeometry, LightGroup, PlacedLight};
 use crate::compiled::geometry::LightGroupId;
 use crate::math::Transform;
 use crate::scene::{Object, Shape};
+use crate::stack::roomy;
 use std::sync::Arc;
 
 /// Finds every light in an object; `world_from_parent` is where the object stands.
@@ -29,7 +30,7 @@ pub(super) fn collect_lights(
         Shape::Csg { children, .. } if census.of(children).lights > 0 || census.of(children).light_groups => {
             let world_from_shape = world_from_shape();
             for child in children.iter() {
-                collect_lights(child, &world_from_shape, None, census, out);
+                roomy(|| collect_lights(child, &world_from_shape, None, census, out));
             }
         }
         Shape::LightGroup { children, global_lights } => {
@@ -40,7 +41,7 @@ pub(super) fn collect_lights(
             out.light_groups.push(LightGroup { global_lights });
             let world_from_shape = world_from_shape();
             for child in children.iter() {
-                collect_lights(child, &world_from_shape, Some(id), census, out);
+                roomy(|| collect_lights(child, &world_from_shape, Some(id), census, out));
             }
         }
         _ => {}

@@ -132,7 +132,7 @@ impl Builder<'_> {
             return *known;
         }
         let id = self.texture(texture);
-        let placement = self.placement_of(id, &Transform::IDENTITY);
+        let placement = self.add_placement(id, None);
         self.unmoved_ids.insert(Arc::as_ptr(texture), placement);
         placement
     }
@@ -141,11 +141,17 @@ impl Builder<'_> {
         let m = group_from_texture.linear();
         let columns = [m.x_axis, m.y_axis, m.z_axis, group_from_texture.origin()];
         let key = columns.map(|v| v.to_array().map(f64::to_bits));
-        let placements = &mut self.geometry.placements;
-        *self.placement_ids.entry((texture, key)).or_insert_with(|| {
-            placements.push(Placement { texture, texture_from_group: group_from_texture.inverse() });
-            placements.len() as u32 - 1
-        })
+        if let Some(known) = self.placement_ids.get(&(texture, key)) {
+            return *known;
+        }
+        let placement = self.add_placement(texture, Some(Box::new(group_from_texture.inverse())));
+        self.placement_ids.insert((texture, key), placement);
+        placement
+    }
+
+    fn add_placement(&mut self, texture: TextureId, texture_from_group: Option<Box<Transform>>) -> u32 {
+        self.geometry.placements.push(Placement { texture, texture_from_group });
+        self.geometry.placements.len() as u32 - 1
     }
 
     /// The number of a texture.

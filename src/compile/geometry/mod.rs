@@ -99,10 +99,7 @@ pub fn compile_object(object: &Object) -> SourceResult<Geometry> {
 fn build(objects: &[(&Object, &Arc<Texture>)], split: bool, max_parts: u64) -> SourceResult<CompiledGeometry> {
     let mut census = Census::default();
     for (object, _) in objects {
-        census.count(object, 0);
-    }
-    if !census.errors.is_empty() {
-        return Err(census.errors);
+        census.count(object);
     }
     let (mut copies, mut n_parts) = (Copies::new(&census), 0_u64);
     for (object, _) in objects {

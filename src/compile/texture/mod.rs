@@ -7,21 +7,35 @@ mod normal;
 mod pattern;
 mod picture;
 
-use crate::compiled::texture::{Blend, Layer, Normal, PatternedTexture, Pigment, Texture, WaveSources};
+use super::picture::Pictures;
+use crate::compiled::texture::{
+    Blend, Finish, ImageMap, Layer, Normal, PatternedTexture, Pigment, Texture, WaveSources,
+};
 use crate::math::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{self, PigmentKind, Settings};
-use picture::PictureCache;
+use crate::stack::roomy;
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
+
+/// What was made of parts that several textures have, by address, with how many parts are in each. The sources are kept
+/// so that their addresses stay their own.
+type Shared<S, T> = FxHashMap<usize, (Arc<S>, Arc<T>, usize)>;
 
 /// Why a texture cannot be compiled, in one sentence without a full stop.
 pub type Refusal = String;
 
-/// Compiles textures of one scene; pictures are loaded once however often they are named.
+/// Compiles textures of one scene; what several of them share is compiled once.
 #[derive(Debug)]
 pub struct TextureCompiler<'s> {
     settings: &'s Settings,
-    pictures: PictureCache,
+    pictures: Pictures,
+    image_maps: Shared<scene::ImageMap, ImageMap>,
+    colors: Shared<scene::Blend<Color>, Blend<Color>>,
+    pigments: Shared<scene::Blend<Arc<scene::Pigment>>, Blend<Pigment>>,
+    normals: Shared<scene::Normal, Normal>,
+    finishes: Shared<scene::Finish, Finish>,
+    textures: Shared<scene::Texture, Texture>,
     /// Sources of ripples and waves, made when first asked for.
     waves: Option<Arc<WaveSources>>,
     /// How deep in a texture it is, and how many parts that has so far.
@@ -29,13 +43,31 @@ pub struct TextureCompiler<'s> {
     n_parts: usize,
 }
 
-/// Most pigments, normals and textures inside one another, copies counted each time.
+/// Most pigments, normals and textures inside one another, copies counted each time: a lookup may have to go through
+/// all of them.
 const MAX_PARTS: usize = 200_000;
 
 impl<'s> TextureCompiler<'s> {
     /// For a scene with these settings.
     pub fn new(settings: &'s Settings) -> Self {
-        Self { settings, pictures: PictureCache::default(), waves: None, depth: 0, n_parts: 0 }
+        Self::sharing(settings, &Pictures::default())
+    }
+
+    /// The same, with the pictures of other compilers.
+    pub(super) fn sharing(settings: &'s Settings, pictures: &Pictures) -> Self {
+        Self {
+            settings,
+            pictures: pictures.clone(),
+            image_maps: Shared::default(),
+            colors: Shared::default(),
+            pigments: Shared::default(),
+            normals: Shared::default(),
+            finishes: Shared::default(),
+            textures: Shared::default(),
+            waves: None,
+            depth: 0,
+            n_parts: 0,
+        }
     }
 
     /// Makes a part of a texture, if that has not too many already.
@@ -43,14 +75,41 @@ impl<'s> TextureCompiler<'s> {
         if self.depth == 0 {
             self.n_parts = 0;
         }
-        self.n_parts += 1;
+        self.count(1)?;
+        self.depth += 1;
+        let made = roomy(|| make(self));
+        self.depth -= 1;
+        made
+    }
+
+    fn count(&mut self, n: usize) -> Result<(), Refusal> {
+        self.n_parts += n;
         if self.n_parts > MAX_PARTS {
             return Err(format!("more than {MAX_PARTS} pigments, normals and textures inside one another"));
         }
-        self.depth += 1;
-        let made = make(self);
-        self.depth -= 1;
-        made
+        Ok(())
+    }
+
+    /// What was made of something before, or is made now and remembered if others may ask for it, too.
+    fn once<S, T>(
+        &mut self,
+        source: &Arc<S>,
+        known: impl Fn(&mut Self) -> &mut Shared<S, T>,
+        make: impl FnOnce(&mut Self) -> Result<T, Refusal>,
+    ) -> Result<Arc<T>, Refusal> {
+        let address = Arc::as_ptr(source).addr();
+        if let Some((_, made, n_parts)) = known(self).get(&address) {
+            let (made, n_parts) = (Arc::clone(made), *n_parts);
+            self.count(n_parts)?;
+            return Ok(made);
+        }
+        let before = self.n_parts;
+        let made = Arc::new(make(self)?);
+        if Arc::strong_count(source) > 1 {
+            let n_parts = self.n_parts.saturating_sub(before);
+            known(self).insert(address, (Arc::clone(source), Arc::clone(&made), n_parts));
+        }
+        Ok(made)
     }
 
     /// Compiles a texture with everything below it.
@@ -68,7 +127,8 @@ impl<'s> TextureCompiler<'s> {
             }
             scene::Texture::Patterned(patterned) => {
                 let mut pattern = self.pattern(&patterned.pattern)?;
-                let items = self.blend(&patterned.map, |compiler, t| compiler.texture(t))?;
+                let items =
+                    self.blend(&patterned.map, |compiler, t| compiler.once(t, |c| &mut c.textures, |c| c.texture(t)))?;
                 if let crate::compiled::texture::PatternKind::Material(_, _, n) = &mut pattern.kind {
                     *n = items.iter().count();
                 }
@@ -83,21 +143,26 @@ impl<'s> TextureCompiler<'s> {
     }
 
     fn layer(&mut self, layer: &scene::TextureLayer) -> Result<Layer, Refusal> {
-        let mut normal = layer.normal.as_ref().map(|n| self.normal(n)).transpose()?;
+        let mut normal = layer.normal.as_ref().map(|n| self.shared_normal(n)).transpose()?;
         if layer.no_bump_scale {
-            normal.iter_mut().for_each(Normal::keep_bump_depth);
+            normal.iter_mut().for_each(|normal| Arc::make_mut(normal).keep_bump_depth());
         }
         let mut pigment = self.pigment(&layer.pigment)?;
         if layer.unfiltered {
             pigment.unfilter();
         }
+        let settings = self.settings;
         Ok(Layer {
             side_by_side: pigment.is_side_by_side(),
             pigment,
             normal,
-            finish: finish::compile(&layer.finish, self.settings),
+            finish: self.once(&layer.finish, |c| &mut c.finishes, |_| Ok(finish::compile(&layer.finish, settings)))?,
             quick_color: layer.pigment.quick_color,
         })
+    }
+
+    fn shared_normal(&mut self, normal: &Arc<scene::Normal>) -> Result<Arc<Normal>, Refusal> {
+        self.once(normal, |c| &mut c.normals, |c| c.normal(normal))
     }
 
     /// Compiles a pigment by itself, for skies, rainbows and functions.
@@ -112,27 +177,34 @@ impl<'s> TextureCompiler<'s> {
         let compiled = match &pigment.kind {
             PigmentKind::Solid(color) => Pigment::Solid(*color),
             PigmentKind::Colors(pattern, colors) => {
-                let colors = match colors {
-                    scene::Blend::Default => {
-                        Blend::map(scene::default_colors(&pattern.kind).iter().map(|e| (f64::from(e.value), e.item)))
-                    }
-                    named => self.blend(named, |_, c| Ok(*c))?,
-                };
+                let colors = self.color_blend(&pattern.kind, colors)?;
                 match single_color(&colors) {
                     Some(color) => Pigment::Solid(color),
-                    None => Pigment::Colors(self.pattern(pattern)?, colors),
+                    None => Pigment::Colors(Box::new(self.pattern(pattern)?), colors),
                 }
             }
-            PigmentKind::Pigments(pattern, pigments) => {
-                let pigments = self.blend(pigments, |compiler, p| compiler.pigment(p))?;
-                Pigment::Pigments(self.pattern(pattern)?, pigments)
+            PigmentKind::Pigments(pattern, list) => {
+                let pigments = self.once(list, |c| &mut c.pigments, |c| c.blend(list, |c, p| c.pigment(p)))?;
+                Pigment::Pigments(Box::new(self.pattern(pattern)?), pigments)
             }
             PigmentKind::Image(pattern, image) => {
-                let map = self.image_map(image)?;
-                Pigment::Image(self.pattern(pattern)?, Box::new(map))
+                let map = self.once(image, |c| &mut c.image_maps, |c| c.image_map(image))?;
+                Pigment::Image(Box::new(self.pattern(pattern)?), map)
             }
         };
         Ok(if pigment.uv_mapping { Pigment::Uv(Box::new(compiled)) } else { compiled })
+    }
+
+    fn color_blend(
+        &mut self,
+        kind: &scene::PatternKind,
+        colors: &Arc<scene::Blend<Color>>,
+    ) -> Result<Arc<Blend<Color>>, Refusal> {
+        if let scene::Blend::Default = **colors {
+            let own = scene::default_colors(kind);
+            return Ok(Arc::new(Blend::map(own.iter().map(|e| (f64::from(e.value), e.item)))));
+        }
+        self.once(colors, |c| &mut c.colors, |c| c.blend(colors, |_, color| Ok(*color)))
     }
 
     /// Compiles the items of a map, list or average.

@@ -26,7 +26,7 @@ impl TextureCompiler<'_> {
             }
             scene::NormalKind::Normals(pattern, normals) => {
                 let pattern = self.pattern(pattern)?;
-                let normals = self.blend(normals, |compiler, n| compiler.normal(n))?;
+                let normals = self.blend(normals, |compiler, n| compiler.shared_normal(n))?;
                 let linear = pattern.linear();
                 (NormalKind::Normals(pattern, normals), linear)
             }

@@ -1,93 +1,68 @@
-//! Pictures that scenes name: loaded once, brought into the scene's working space.
+//! Pictures that scenes name, brought into the scene's working space.
 
 use super::pattern::mapping_of;
 use super::{Refusal, TextureCompiler};
-use crate::compile::picture::{decoder_name, stored_level};
-use crate::compiled::texture::{ImageMap, Raster};
-use crate::imaging::{self, Pixels};
-use crate::math::{Color, Rgb};
+use crate::compile::picture::{Curve, Making, stored_level};
+use crate::compiled::texture::{ImageMap, Raster, Texels, Transparency};
+use crate::imaging::{self, Pixels, Samples};
 use crate::scene::{self, Gamma, ImageFormat, ImageSource, Working};
-use rustc_hash::FxHashMap;
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-/// Decoded files and finished rasters, by what was asked for.
-#[derive(Debug, Default)]
-pub(super) struct PictureCache {
-    files: FxHashMap<PathBuf, Arc<Pixels>>,
-    values: FxHashMap<PathBuf, Arc<Raster>>,
-}
 
 impl TextureCompiler<'_> {
     /// `image_map`: colours in working space with the map's own `filter` and `transmit`.
     pub(super) fn image_map(&mut self, map: &scene::ImageMap) -> Result<ImageMap, Refusal> {
-        let mut raster = match &map.image.source {
-            ImageSource::File { path, format } => {
-                let pixels = self.pixels(path, *format)?;
-                let curve = color_curve(&map.image, *format, &pixels);
-                to_raster(&pixels, &curve, map.image.premultiplied)
-            }
-            ImageSource::Function { width, height, function } => sampled(*width, *height, function),
-        };
-        for (i, pixel) in raster.pixels.iter_mut().enumerate() {
-            let index = raster.indices.as_ref().map(|indices| u32::from(indices[i]));
-            apply_transparency(map, index, pixel);
-        }
-        Ok(ImageMap { raster: Arc::new(raster), mapping: mapping_of(&map.mapping) })
+        let raster = self.raster(&map.image, |format, pixels| color_curve(&map.image, format, pixels))?;
+        let transparency = transparency(map, raster.indices.is_some());
+        Ok(ImageMap { raster, mapping: mapping_of(&map.mapping), transparency })
     }
 
     /// Pictures whose numbers are values, not colours: raw unless a `gamma` was written.
     pub(super) fn value_picture(&mut self, image: &scene::Image) -> Result<Arc<Raster>, Refusal> {
-        match &image.source {
-            ImageSource::Function { width, height, function } => Ok(Arc::new(sampled(*width, *height, function))),
-            ImageSource::File { path, format } => {
-                if let (Some(raster), None) = (self.pictures.values.get(path), image.gamma) {
-                    return Ok(Arc::clone(raster));
-                }
-                let pixels = self.pixels(path, *format)?;
-                let curve = Curve { decode: image.gamma, encode: None };
-                let raster = Arc::new(to_raster(&pixels, &curve, image.premultiplied));
-                if image.gamma.is_none() {
-                    self.pictures.values.insert(path.clone(), Arc::clone(&raster));
-                }
-                Ok(raster)
-            }
-        }
+        self.raster(image, |_, _| Curve { decode: image.gamma, encode: None })
     }
 
-    fn pixels(&mut self, path: &Path, format: ImageFormat) -> Result<Arc<Pixels>, Refusal> {
-        if let Some(pixels) = self.pictures.files.get(path) {
-            return Ok(Arc::clone(pixels));
+    fn raster(
+        &mut self,
+        image: &scene::Image,
+        curve: impl FnOnce(ImageFormat, &Pixels) -> Curve,
+    ) -> Result<Arc<Raster>, Refusal> {
+        match &image.source {
+            ImageSource::File { file, format } => {
+                if *format == ImageFormat::Pot {
+                    return Err(format!("{}: pot files are for height fields only", file.path().display()));
+                }
+                let pixels = file.pixels()?;
+                let curve = curve(*format, &pixels);
+                let made = Making::File(Arc::clone(file), curve, image.premultiplied);
+                Ok(self.pictures.raster(made, |_| to_raster(&pixels, &curve, image.premultiplied)))
+            }
+            ImageSource::Function { width, height, function } => {
+                let made = Making::Function(Arc::clone(function), [*width, *height]);
+                Ok(self.pictures.raster(made, |_| sampled(*width, *height, function)))
+            }
         }
-        if format == ImageFormat::Pot {
-            return Err(format!("{}: pot files are for height fields only", path.display()));
-        }
-        let pixels = Arc::new(imaging::decode(path, decoder_name(format)).map_err(|e| e.to_string())?);
-        self.pictures.files.insert(path.to_owned(), Arc::clone(&pixels));
-        Ok(pixels)
     }
 }
 
 /// Palette entries take their own transparency; in other pictures `all` adds to what the file says.
-fn apply_transparency(map: &scene::ImageMap, index: Option<u32>, pixel: &mut Color) {
-    let Some(index) = index else {
-        pixel.filter += map.filter_all.unwrap_or(0.0);
-        pixel.transmit += map.transmit_all.unwrap_or(0.0);
-        return;
-    };
-    let named = |list: &[(u32, f32)]| list.iter().rev().find(|(i, _)| *i == index).map(|(_, v)| *v);
-    if let Some(filter) = named(&map.palette_filter).or(map.filter_all) {
-        pixel.filter = filter;
+fn transparency(map: &scene::ImageMap, is_palette: bool) -> Transparency {
+    let all = [map.filter_all, map.transmit_all];
+    if !is_palette {
+        let more = all.map(|all| all.unwrap_or(0.0));
+        return if more == [0.0; 2] { Transparency::AsItIs } else { Transparency::Added(more) };
     }
-    if let Some(transmit) = named(&map.palette_transmit).or(map.transmit_all) {
-        pixel.transmit = transmit;
+    if all == [None; 2] && map.palette_filter.is_empty() && map.palette_transmit.is_empty() {
+        return Transparency::AsItIs;
     }
-}
-
-/// How a file's value becomes a working value: decoded to linear light, then encoded.
-struct Curve {
-    decode: Option<Working>,
-    encode: Option<Working>,
+    let mut entries = Box::new([all; 256]);
+    for (which, list) in [&map.palette_filter, &map.palette_transmit].into_iter().enumerate() {
+        for (index, value) in list {
+            if let Some(entry) = entries.get_mut(*index as usize) {
+                entry[which] = Some(*value);
+            }
+        }
+    }
+    Transparency::Palette(entries)
 }
 
 impl Curve {
@@ -164,18 +139,27 @@ fn color_curve(image: &scene::Image, format: ImageFormat, pixels: &Pixels) -> Cu
 fn to_raster(pixels: &Pixels, curve: &Curve, premultiplied: Option<bool>) -> Raster {
     // Grey of up to 8 bits is stored in 8 bits again after decoding, as in POV-Ray.
     let requantised = |v: f32| ((255.0 * (0.297 * v + 0.589 * v + 0.114 * v)) as u32 as f32) / 255.0;
-    let mut curve = Memo::new(curve);
-    let convert = |p: &[f32; 4]| {
-        let mut rgb = [0, 1, 2].map(|i| curve.apply(p[i]));
-        if pixels.grey8 {
-            rgb = rgb.map(requantised);
+    let texels = match &pixels.samples {
+        Samples::Bytes(bytes) => {
+            let value = |v: usize| {
+                let value = curve.apply(v as f32 / 255.0);
+                if pixels.grey8 { requantised(value) } else { value }
+            };
+            Texels::Bytes(Arc::clone(bytes), Box::new(std::array::from_fn(value)))
         }
-        Color { rgb: Rgb::from(rgb), filter: 0.0, transmit: if pixels.has_alpha { 1.0 - p[3] } else { 0.0 } }
+        Samples::Floats(floats) if *curve == (Curve { decode: None, encode: None }) => {
+            Texels::Floats(Arc::clone(floats))
+        }
+        Samples::Floats(floats) => {
+            let mut curve = Memo::new(curve);
+            let floats = floats.iter().map(|[r, g, b, a]| [curve.apply(*r), curve.apply(*g), curve.apply(*b), *a]);
+            Texels::Floats(Arc::new(floats.collect()))
+        }
     };
     Raster {
         width: pixels.width,
         height: pixels.height,
-        pixels: pixels.rgba.iter().map(convert).collect(),
+        texels,
         indices: pixels.indices.clone(),
         premultiplied: premultiplied.unwrap_or(pixels.premultiplied),
         has_alpha: pixels.has_alpha,
@@ -192,17 +176,78 @@ fn sampled(width: u32, height: u32, function: &crate::function::Function) -> Ras
         let at = [f64::from(x) / (f64::from(width) - 1.0), f64::from(y) / (f64::from(height) - 1.0), 0.0];
         let v = function.call(&at);
         if scalar {
-            return Color { rgb: Rgb::splat(quantise(v[0])), ..Color::BLACK };
+            return [quantise(v[0]), quantise(v[0]), quantise(v[0]), 1.0];
         }
-        let alpha = quantise(1.0 - v[4]);
-        Color { rgb: Rgb::new(quantise(v[0]), quantise(v[1]), quantise(v[2])), filter: 0.0, transmit: 1.0 - alpha }
+        [quantise(v[0]), quantise(v[1]), quantise(v[2]), quantise(1.0 - v[4])]
     };
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect();
     Raster {
         width: width as usize,
         height: height as usize,
-        pixels: (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect(),
+        texels: Texels::Floats(Arc::new(pixels)),
         indices: None,
         premultiplied: false,
         has_alpha: !scalar,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::compile::{Queries, compile};
+    use crate::compiled::texture::{Layer, Pigment, Raster, Texture};
+    use crate::eval::{Memory, Options, evaluate};
+    use std::sync::Arc;
+
+    /// The pigments of the textures of a scene with a small picture `a.ppm`.
+    fn pigments(text: &str) -> Vec<Pigment> {
+        let scene = format!("#version 3.7; global_settings {{ assumed_gamma 1 }}\n{text}");
+        let picture = b"P6\n2 1\n255\n\xff\x00\xff\x00\x00\xff".to_vec();
+        let host = Memory::new([("a.pov", scene.as_str())]).with("a.ppm", picture);
+        let read = evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default()).unwrap();
+        let world = compile(&read.scene).unwrap().world;
+        let layer = |texture: Texture| match texture {
+            Texture::Layers(mut layers) => layers.pop().unwrap().pigment,
+            Texture::Patterned(_) => panic!("no patterned texture was written"),
+        };
+        world.textures.into_iter().map(layer).collect()
+    }
+
+    fn raster(pigment: &Pigment) -> &Arc<Raster> {
+        match pigment {
+            Pigment::Image(_, map) => &map.raster,
+            other => panic!("{other:?} shows no picture"),
+        }
+    }
+
+    /// The textures of these objects show the same picture in memory.
+    fn check(text: &str, n: usize) {
+        let pigments = pigments(text);
+        assert_eq!(pigments.len(), n, "{text}");
+        assert!(pigments.iter().all(|p| Arc::ptr_eq(raster(p), raster(&pigments[0]))), "{text}");
+    }
+
+    #[test]
+    fn a_picture_is_held_once() {
+        let declared = "#declare P = pigment { image_map { ppm \"a.ppm\" interpolate 2 } }";
+        check(&format!("{declared} #for (I, 1, 5) sphere {{ I*x, 1 pigment {{ P translate I*y }} }} #end"), 5);
+        let texture = format!("{declared} #declare T = texture {{ pigment {{ P }} finish {{ phong .5 }} }}");
+        check(&format!("{texture} #for (I, 1, 5) sphere {{ I*x, 1 texture {{ T scale I }} }} #end"), 5);
+        let written = "#for (I, 1, 5) sphere { I*x, 1 pigment { image_map { ppm \"a.ppm\" transmit all I/9 } } } #end";
+        check(written, 5);
+        check("#for (I, 1, 3) plane { y, I pigment { image_map { ppm \"./a.ppm\" once } rotate I*x } } #end", 3);
+    }
+
+    #[test]
+    fn maps_and_finishes_are_held_once() {
+        let text = "#declare P = pigment { bozo color_map { [0 rgb 0] [1 rgb 1] } }
+            #for (I, 1, 5) sphere { I*x, 1 pigment { P scale I } } #end";
+        let pigments = pigments(text);
+        let colors = |p: &Pigment| match p {
+            Pigment::Colors(_, colors) => Arc::as_ptr(colors),
+            other => panic!("{other:?}"),
+        };
+        assert!(pigments.len() == 5 && pigments.iter().all(|p| colors(p) == colors(&pigments[0])));
+        // A hundred thousand objects have a texture each.
+        assert!(size_of::<Layer>() <= 80 && size_of::<crate::scene::Pigment>() <= 64);
     }
 }

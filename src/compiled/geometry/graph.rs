@@ -256,8 +256,8 @@ impl Node {
 #[derive(Clone, Debug)]
 pub(crate) struct Placement {
     pub(crate) texture: TextureId,
-    /// Takes the space of the group in which the textured object stands to texture space.
-    pub(crate) texture_from_group: Transform,
+    /// Takes the space of the group in which the textured object stands to texture space; most are the same.
+    pub(crate) texture_from_group: Option<Box<Transform>>,
 }
 
 /// What an object says about its looks; `None` is left to what contains it.

@@ -86,7 +86,14 @@ impl Geometry {
     /// What stands inside `range` between a point and light number `light`.
     ///
     /// `opaque` says of each texture whether no light comes through; `None` where that holds for all.
-    pub fn shadow(&self, ray: &Ray, range: Range, light: usize, opaque: Option<&[bool]>, scratch: &mut Scratch) -> Shadow {
+    pub fn shadow(
+        &self,
+        ray: &Ray,
+        range: Range,
+        light: usize,
+        opaque: Option<&[bool]>,
+        scratch: &mut Scratch,
+    ) -> Shadow {
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, None);
         }

@@ -142,7 +142,8 @@ impl Geometry {
         };
         match seen.place {
             TexturePlace::Placement { index, depth } => {
-                let placement = &self.placements[index as usize].texture_from_group;
+                let placement =
+                    self.placements[index as usize].texture_from_group.as_deref().unwrap_or(&Transform::IDENTITY);
                 match self.world_from(&hit.path, depth.into()) {
                     None => Cow::Borrowed(placement),
                     Some(world_from_group) => Cow::Owned(world_from_group.inverse().then(placement)),

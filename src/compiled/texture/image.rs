@@ -6,30 +6,77 @@ use crate::math::{Color, DVec3, Rgb, floor, gray};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-/// Pixels in memory, in the scene's working space.
+/// A picture in memory, in the scene's working space; shared by all that show it.
 #[derive(Debug, Default)]
 pub struct Raster {
     /// Pixels across.
     pub width: usize,
     /// Pixels down.
     pub height: usize,
-    /// Height x width, row-major, top row first: colour and transparency.
-    pub pixels: Vec<Color>,
+    /// Its colours.
+    pub texels: Texels,
     /// Palette index of each pixel, for palette pictures.
-    pub indices: Option<Vec<u8>>,
+    pub indices: Option<Arc<Vec<u8>>>,
     /// Colours are multiplied by alpha.
     pub premultiplied: bool,
-    /// Whether the file carries alpha.
+    /// Whether the file carries alpha; else opacities do not count.
     pub has_alpha: bool,
+}
+
+/// Height x width x (red, green, blue, opacity), row-major, top row first.
+#[derive(Debug)]
+pub enum Texels {
+    /// As the file has them, 8 bits each, and what a byte of a colour stands for.
+    Bytes(Arc<Vec<u8>>, Box<[f32; 256]>),
+    /// In working space.
+    Floats(Arc<Vec<[f32; 4]>>),
+}
+
+impl Default for Texels {
+    fn default() -> Self {
+        Self::Floats(Arc::default())
+    }
 }
 
 /// A picture as a pigment.
 #[derive(Clone, Debug)]
 pub struct ImageMap {
-    /// Its pixels, with `filter` and `transmit` options worked in.
+    /// Its pixels.
     pub raster: Arc<Raster>,
     /// How it lies in space.
     pub mapping: Mapping,
+    /// What the scene says about its transparency.
+    pub transparency: Transparency,
+}
+
+/// `filter` and `transmit` of a picture's pixels where a scene says otherwise than the file.
+#[derive(Clone, Debug, Default)]
+pub enum Transparency {
+    /// As the file has them.
+    #[default]
+    AsItIs,
+    /// Both are more, by as much.
+    Added([f32; 2]),
+    /// Both of each palette entry, where something was said.
+    Palette(Box<[[Option<f32>; 2]; 256]>),
+}
+
+impl Transparency {
+    #[inline]
+    fn apply(&self, index: Option<u8>, color: &mut Color) {
+        match (self, index) {
+            (Self::AsItIs, _) | (Self::Palette(_), None) => {}
+            (Self::Added([filter, transmit]), _) => {
+                color.filter += filter;
+                color.transmit += transmit;
+            }
+            (Self::Palette(entries), Some(index)) => {
+                let [filter, transmit] = entries[usize::from(index)];
+                color.filter = filter.unwrap_or(color.filter);
+                color.transmit = transmit.unwrap_or(color.transmit);
+            }
+        }
+    }
 }
 
 /// How a picture lies in space.
@@ -153,23 +200,54 @@ fn catmull_rom(p: f64) -> [f64; 4] {
 }
 
 impl Raster {
+    /// Whether there are no pixels.
+    fn is_empty(&self) -> bool {
+        self.width == 0 || self.height == 0
+    }
+
+    /// The colour of a pixel, by its number.
+    #[inline]
+    fn color(&self, i: usize) -> Color {
+        let ([r, g, b], opacity) = match &self.texels {
+            Texels::Bytes(bytes, values) => {
+                let [r, g, b, opacity] = bytes.as_chunks::<4>().0[i];
+                ([r, g, b].map(|v| values[usize::from(v)]), f32::from(opacity) / 255.0)
+            }
+            Texels::Floats(floats) => {
+                let [r, g, b, opacity] = floats[i];
+                ([r, g, b], opacity)
+            }
+        };
+        Color { rgb: Rgb::new(r, g, b), filter: 0.0, transmit: if self.has_alpha { 1.0 - opacity } else { 0.0 } }
+    }
+
+    /// Whether no light comes through any pixel, as the file has them.
+    pub fn is_opaque(&self) -> bool {
+        !self.has_alpha
+            || match &self.texels {
+                Texels::Bytes(bytes, _) => bytes.as_chunks::<4>().0.iter().all(|p| p[3] == u8::MAX),
+                Texels::Floats(floats) => floats.iter().all(|p| p[3] == 1.0),
+            }
+    }
+
     /// The interpolated pixel at a point of pattern space; `None` where the picture does not reach.
-    fn sample(&self, mapping: &Mapping, p: DVec3) -> Option<Color> {
-        if self.pixels.is_empty() {
+    fn sample(&self, mapping: &Mapping, transparency: &Transparency, p: DVec3) -> Option<Color> {
+        if self.is_empty() {
             return None;
         }
         let (x, y) = mapping.pixel(p, self.width, self.height)?;
         let mut sum = [0.0; 5];
-        for (index, weight) in mapping.taps(x, y, self.width, self.height) {
-            let color = self.pixels[index].to_array();
-            sum.iter_mut().zip(color).for_each(|(s, c)| *s += weight * c);
+        for (i, weight) in mapping.taps(x, y, self.width, self.height) {
+            let mut color = self.color(i);
+            transparency.apply(self.indices.as_ref().map(|indices| indices[i]), &mut color);
+            sum.iter_mut().zip(color.to_array()).for_each(|(s, c)| *s += weight * c);
         }
         Some(Color::from_array(sum))
     }
 
     /// `image_pattern`: grey or transparency, 0 to 1; 0 where nothing shows.
     pub(super) fn pattern_value(&self, mapping: &Mapping, p: DVec3) -> f64 {
-        let Some(color) = self.sample(mapping, p) else { return 0.0 };
+        let Some(color) = self.sample(mapping, &Transparency::AsItIs, p) else { return 0.0 };
         let value = match (mapping.use_alpha, self.has_alpha) {
             (false, _) => gray(color.rgb),
             (true, true) => color.transmit,
@@ -186,14 +264,14 @@ impl Raster {
                 let taps = mapping.taps(x, y, self.width, self.height);
                 taps.iter().map(|(i, w)| w * f64::from(indices[*i])).sum::<f64>() as usize
             }
-            None => self.sample(mapping, p).map_or(0, |c| (255.0 * c.rgb.x) as usize),
+            None => self.sample(mapping, &Transparency::AsItIs, p).map_or(0, |c| (255.0 * c.rgb.x) as usize),
         };
         (if index > n { index % n.max(1) } else { index }).min(n.saturating_sub(1))
     }
 
     /// `bump_map`: tilts a unit normal by the heights of three neighbouring pixels.
     pub(super) fn bump(&self, mapping: &Mapping, p: DVec3, n: DVec3, amount: f64) -> DVec3 {
-        if self.pixels.is_empty() {
+        if self.is_empty() {
             return n;
         }
         let Some((x, y)) = mapping.pixel(p, self.width, self.height) else { return n };
@@ -202,7 +280,7 @@ impl Raster {
             let taps = mapping.taps(x, y, self.width, self.height);
             let value = |i: usize| match &self.indices {
                 Some(indices) if mapping.use_index => f64::from(indices[i]),
-                _ => f64::from(gray(self.pixels[i].rgb)),
+                _ => f64::from(gray(self.color(i).rgb)),
             };
             amount * taps.iter().map(|(i, w)| w * value(*i)).sum::<f64>()
         };
@@ -222,16 +300,24 @@ impl Raster {
 impl ImageMap {
     /// The colour, not multiplied by alpha; `None` where the picture does not reach.
     pub(super) fn color(&self, p: DVec3) -> Option<Color> {
-        let color = self.raster.sample(&self.mapping, p)?;
+        let color = self.raster.sample(&self.mapping, &self.transparency, p)?;
         let alpha = 1.0 - color.transmit;
         // POV-Ray's own limit for alpha.
         let divide = self.raster.premultiplied && alpha > 1e-10;
         Some(if divide { Color { rgb: color.rgb / Rgb::splat(alpha), ..color } } else { color })
     }
 
-    /// Whether no light comes through anywhere.
+    /// Whether no light comes through anywhere, whichever entries of a palette are shown.
     pub(super) fn is_opaque(&self) -> bool {
-        !self.mapping.once && self.raster.pixels.iter().all(|c| c.filter == 0.0 && c.transmit == 0.0)
+        let shuts =
+            |[filter, transmit]: [Option<f32>; 2]| filter.unwrap_or(0.0) == 0.0 && transmit.unwrap_or(0.0) == 0.0;
+        !self.mapping.once
+            && self.raster.is_opaque()
+            && match &self.transparency {
+                Transparency::AsItIs => true,
+                Transparency::Added(more) => *more == [0.0; 2],
+                Transparency::Palette(entries) => entries.iter().all(|entry| shuts(*entry)),
+            }
     }
 }
 
@@ -241,9 +327,9 @@ mod tests {
 
     /// 4 x 2 pixels, red = column, green = row.
     fn check(mapping: Mapping, p: [f64; 3], expected: Option<[f32; 2]>) {
-        let pixels = (0..8).map(|i| Color::rgb((i % 4) as f32, (i / 4) as f32, 0.0)).collect();
-        let raster = Raster { width: 4, height: 2, pixels, ..Raster::default() };
-        let found = raster.sample(&mapping, DVec3::from(p)).map(|c| [c.rgb.x, c.rgb.y]);
+        let pixels = (0..8).map(|i| [(i % 4) as f32, (i / 4) as f32, 0.0, 1.0]).collect();
+        let raster = Raster { width: 4, height: 2, texels: Texels::Floats(Arc::new(pixels)), ..Raster::default() };
+        let found = raster.sample(&mapping, &Transparency::AsItIs, DVec3::from(p)).map(|c| [c.rgb.x, c.rgb.y]);
         let close = |a: [f32; 2], b: [f32; 2]| (a[0] - b[0]).abs() < 1.5e-3 && (a[1] - b[1]).abs() < 1.5e-3;
         let agree = match (found, expected) {
             (Some(f), Some(e)) => close(f, e),

@@ -31,7 +31,7 @@ mod slope;
 mod tiling;
 mod warp;
 
-pub use self::image::{ImageMap, MapType, Mapping, Raster};
+pub use self::image::{ImageMap, MapType, Mapping, Raster, Texels, Transparency};
 pub use blend::{Blend, Pick};
 pub use crackle::Crackle;
 pub use density_file::DensityFile;
@@ -47,8 +47,10 @@ pub use slope::{Slope, SlopeAxis};
 pub use tiling::{Periodic, Tiling};
 pub use warp::{Around, BlackHole, Warp};
 
+use std::sync::Arc;
+
 /// What a surface looks like.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Texture {
     /// Plain layers, lowest first.
     Layers(Vec<Layer>),
@@ -57,27 +59,27 @@ pub enum Texture {
 }
 
 /// A pigment, a normal and a finish.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Layer {
     /// Colour.
     pub pigment: Pigment,
     /// Bumps.
-    pub normal: Option<Normal>,
+    pub normal: Option<Arc<Normal>>,
     /// Whether it pays to find the colours of neighbours at once.
     pub side_by_side: bool,
     /// Response to light.
-    pub finish: Finish,
+    pub finish: Arc<Finish>,
     /// The colour at quality 5 and below, where it differs from the pigment's.
     pub quick_color: Option<crate::math::Color>,
 }
 
 /// Textures under a pattern.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct PatternedTexture {
     /// Decides where.
     pub pattern: Pattern,
     /// What to choose from.
-    pub items: Blend<Texture>,
+    pub items: Blend<Arc<Texture>>,
     /// Bumps keep their depth when the pattern is scaled.
     pub no_bump_scale: bool,
     /// Items are looked up at (u, v, 0).
@@ -91,7 +93,7 @@ impl Texture {
             Self::Layers(layers) => {
                 layers.iter().any(|l| l.pigment.is_opaque() && l.quick_color.is_none_or(|c| c.opacity() == 1.0))
             }
-            Self::Patterned(p) => p.items.iter().all(Self::is_opaque),
+            Self::Patterned(p) => p.items.iter().all(|item| item.is_opaque()),
         }
     }
 
@@ -113,7 +115,7 @@ impl Texture {
         match self {
             Self::Layers(layers) => {
                 let top = layers.last_mut().and_then(|top| top.normal.as_mut());
-                top.into_iter().for_each(Normal::keep_bump_depth);
+                top.into_iter().for_each(|normal| Arc::make_mut(normal).keep_bump_depth());
             }
             Self::Patterned(patterned) => patterned.keep_bump_depth(),
         }
@@ -133,7 +135,7 @@ impl PatternedTexture {
     pub fn keep_bump_depth(&mut self) {
         self.no_bump_scale = true;
         if !matches!(self.pattern.kind, PatternKind::Material(..)) {
-            self.items.iter_mut().for_each(Texture::keep_bump_depth);
+            self.items.iter_mut().for_each(|item| Arc::make_mut(item).keep_bump_depth());
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::math::{DMat3, DVec3, LANES, Points, Transform};
 use std::sync::Arc;
 
 /// A perturbation of the normal.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Normal {
     /// How it arises.
     pub kind: NormalKind,
@@ -27,12 +27,12 @@ pub struct Normal {
 }
 
 /// The sorts of perturbation.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum NormalKind {
     /// A pattern's native displacement or its slope, through an optional slope map.
     Pattern(Pattern, Option<Blend<SlopeEntry>>),
     /// A choice or mixture of others.
-    Normals(Pattern, Blend<Normal>),
+    Normals(Pattern, Blend<Arc<Normal>>),
     /// Heights in a picture.
     BumpMap(Pattern, Arc<Raster>, Mapping),
     /// Flat facets, in the space of normals or of points.
@@ -156,7 +156,9 @@ impl Normal {
         // POV-Ray's facets do not heed it.
         self.no_bump_scale = !matches!(self.kind, NormalKind::Facets(..));
         match &mut self.kind {
-            NormalKind::Normals(_, normals) => normals.iter_mut().for_each(Self::keep_bump_depth),
+            NormalKind::Normals(_, normals) => {
+                normals.iter_mut().for_each(|normal| Arc::make_mut(normal).keep_bump_depth());
+            }
             NormalKind::Uv(inner) => inner.keep_bump_depth(),
             NormalKind::Pattern(..) | NormalKind::BumpMap(..) | NormalKind::Facets(..) => {}
         }

@@ -2,18 +2,19 @@
 
 use super::{Blend, Context, ImageMap, Pattern, Pick};
 use crate::math::{Color, DVec3, LANES, Points, Rgb, Uv, each_lane};
+use std::sync::Arc;
 
-/// A colour for each point.
+/// A colour for each point. Copies that stand elsewhere share everything but the pattern.
 #[derive(Clone, Debug)]
 pub enum Pigment {
     /// The same everywhere.
     Solid(Color),
     /// A pattern through colours.
-    Colors(Pattern, Blend<Color>),
+    Colors(Box<Pattern>, Arc<Blend<Color>>),
     /// A pattern through other pigments.
-    Pigments(Pattern, Blend<Pigment>),
+    Pigments(Box<Pattern>, Arc<Blend<Pigment>>),
     /// A picture; the pattern carries its warps.
-    Image(Pattern, Box<ImageMap>),
+    Image(Box<Pattern>, Arc<ImageMap>),
     /// Everything inside is looked up at (u, v, 0).
     Uv(Box<Pigment>),
 }
@@ -57,14 +58,13 @@ impl Pigment {
                 let values = pattern.values_at_warped(&pattern.warp_points(points), uvs);
                 each_lane(|i| picked(colors.pick(values[i])))
             }
-            Self::Pigments(pattern, Blend::Average(all)) => {
-                let warped = pattern.warp_points(points);
-                let mut sums = [Color::default(); LANES];
-                all.iter().for_each(|(weight, pigment)| pigment.add_colors(&warped, uvs, *weight, &mut sums));
-                sums
-            }
             Self::Pigments(pattern, pigments) => {
                 let warped = pattern.warp_points(points);
+                if let Blend::Average(all) = &**pigments {
+                    let mut sums = [Color::default(); LANES];
+                    all.iter().for_each(|(weight, pigment)| pigment.add_colors(&warped, uvs, *weight, &mut sums));
+                    return sums;
+                }
                 let values = pattern.values_at_warped(&warped, uvs);
                 let picks = each_lane(|i| pigments.pick(values[i]));
                 match picks[0] {
@@ -145,8 +145,8 @@ impl Pigment {
         };
         match self {
             Self::Solid(color) => unfilter(color),
-            Self::Colors(_, colors) => colors.iter_mut().for_each(unfilter),
-            Self::Pigments(_, pigments) => pigments.iter_mut().for_each(Self::unfilter),
+            Self::Colors(_, colors) => Arc::make_mut(colors).iter_mut().for_each(unfilter),
+            Self::Pigments(_, pigments) => Arc::make_mut(pigments).iter_mut().for_each(Self::unfilter),
             Self::Uv(pigment) => pigment.unfilter(),
             Self::Image(..) => {}
         }
@@ -206,14 +206,15 @@ mod tests {
 
     #[test]
     fn all_five_components_blend() {
-        let gradient = || Pattern::of(PatternKind::Gradient(DVec3::X));
+        let gradient = || Box::new(Pattern::of(PatternKind::Gradient(DVec3::X)));
         let red = Color::rgb(1.0, 0.0, 0.0);
         let clear_green = Color { rgb: Rgb::Y, filter: 0.5, transmit: 0.25 };
         let map = Blend::map([(f64::from(0.2f32), red), (f64::from(0.6f32), clear_green)]);
-        check(&Pigment::Colors(gradient(), map), 0.3, [0.75, 0.25, 0.0, 0.125, 0.0625]);
+        check(&Pigment::Colors(gradient(), Arc::new(map)), 0.3, [0.75, 0.25, 0.0, 0.125, 0.0625]);
         let grey = Blend::map([(0.0, Color::BLACK), (1.0, Color::rgb(1.0, 1.0, 1.0))]);
-        let items = [(1.0, Pigment::Solid(Color { transmit: 0.5, ..red })), (3.0, Pigment::Colors(gradient(), grey))];
-        let average = Pigment::Pigments(Pattern::of(PatternKind::None), Blend::average(items));
+        let items =
+            [(1.0, Pigment::Solid(Color { transmit: 0.5, ..red })), (3.0, Pigment::Colors(gradient(), Arc::new(grey)))];
+        let average = Pigment::Pigments(Box::new(Pattern::of(PatternKind::None)), Arc::new(Blend::average(items)));
         check(&average, 0.4, [0.55, 0.3, 0.3, 0.0, 0.125]);
     }
 }

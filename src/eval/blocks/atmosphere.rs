@@ -180,8 +180,8 @@ impl Evaluator<'_> {
             }
             K::ColorMap | K::ColourMap => {
                 self.next()?;
-                let map = Blend::Map(self.color_map()?);
-                let along = Pattern::new(PatternKind::Gradient(DVec3::X));
+                let map = Arc::new(Blend::Map(self.color_map()?));
+                let along = Box::new(Pattern::new(PatternKind::Gradient(DVec3::X)));
                 rainbow.pigment = Arc::new(Pigment { kind: PigmentKind::Colors(along, map), ..Pigment::default() });
                 return Ok(true);
             }

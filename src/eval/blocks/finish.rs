@@ -5,6 +5,7 @@ use crate::eval::{Evaluator, Value};
 use crate::math::Rgb;
 use crate::scene::Finish;
 use crate::syntax::Keyword as K;
+use std::sync::Arc;
 
 /// Which terms were written with `albedo`, to be scaled at the closing brace.
 #[derive(Default)]
@@ -15,6 +16,16 @@ struct Albedo {
 }
 
 impl Evaluator<'_> {
+    /// [`finish_block`](Self::finish_block), as one with the last that was written if they are alike: loops write the
+    /// same one for thousands of objects.
+    pub(super) fn shared_finish_block(&mut self, start: Finish) -> SourceResult<Arc<Finish>> {
+        let finish = self.finish_block(start)?;
+        match &self.last_finish {
+            Some(last) if **last == finish => Ok(Arc::clone(last)),
+            _ => Ok(Arc::clone(self.last_finish.insert(Arc::new(finish)))),
+        }
+    }
+
     /// `{ … }` after `finish`, starting from `start`.
     pub(super) fn finish_block(&mut self, start: Finish) -> SourceResult<Finish> {
         self.open("finish")?;

@@ -2,6 +2,7 @@
 
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
+use crate::eval::disk::FONT_FOLDERS;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::{BicubicPatch, Blob, BlobComponent, HeightField, Prism, Shape, SweepSpline, Text};
 use crate::syntax::Keyword as K;
@@ -339,10 +340,7 @@ impl Evaluator<'_> {
         let Some(path) = self.find_typed(name, &["ttf", "TTF", "ttc", "TTC"]) else {
             return self.system_font(name, span);
         };
-        match self.host.read(&path) {
-            Ok(bytes) => Ok(bytes.into()),
-            Err(problem) => self.error(span, format!("cannot read the font \"{name}\": {problem}")),
-        }
+        Ok(self.bytes_of(&path, span)?.into())
     }
 }
 
@@ -367,15 +365,6 @@ const STANDARD_FONTS: [(&str, &[&str]); 4] = {
     ];
     [("timrom", ROMAN), ("cyrvetic", ROMAN), ("crystal", FIXED), ("povlogo", ROMAN)]
 };
-
-/// Where systems keep their fonts.
-const FONT_FOLDERS: [&str; 5] = [
-    "/usr/share/fonts/truetype",
-    "/usr/share/fonts",
-    "/usr/local/share/fonts",
-    "/System/Library/Fonts",
-    "C:/Windows/Fonts",
-];
 
 fn component(ends: [DVec3; 2], is_cylinder: bool, radius: f64, strength: f64) -> BlobComponent {
     BlobComponent { ends, is_cylinder, radius, strength, transform: Transform::IDENTITY, texture: None }

@@ -1,9 +1,12 @@
 //! Pictures: the file or function behind `image_map` and its kin, and how they lie in space.
 
-use crate::diag::{SourceResult, Topic};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
+use crate::imaging::Encoded;
 use crate::scene::{Image, ImageFormat, ImageMapping, ImageSource, MapType, Working};
 use crate::syntax::Keyword as K;
+use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Type keywords, the extensions a file of that type may have, and the format, if it can be read.
 const TYPES: &[(K, &[&str], Option<ImageFormat>)] = &[
@@ -109,9 +112,21 @@ impl Evaluator<'_> {
             return self.error_with_hint(span, format!("IFF pictures such as \"{name}\" cannot be read"), hint);
         };
         match self.find_typed(&name, extensions) {
-            Some(path) => Ok(ImageSource::File { path, format }),
+            Some(path) => Ok(ImageSource::File { file: self.picture_file(path, format, span)?, format }),
             None => self.error(span, format!("cannot find the image \"{name}\"")),
         }
+    }
+
+    /// The bytes of a picture, read once for all statements that name it.
+    fn picture_file(&mut self, path: PathBuf, format: ImageFormat, span: Span) -> SourceResult<Arc<Encoded>> {
+        let key = (path, format);
+        if let Some(known) = self.pictures.get(&key) {
+            return Ok(Arc::clone(known));
+        }
+        let bytes = self.bytes_of(&key.0, span)?;
+        let file = Arc::new(Encoded::new(key.0.clone(), format.decoder(), bytes));
+        self.pictures.insert(key, Arc::clone(&file));
+        Ok(file)
     }
 
     /// A file of a type: a name that has the type's extension is tried as it is first, others last.

@@ -3,6 +3,7 @@
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
 use crate::scene::{Blend, Normal, NormalKind, Pattern, PatternKind};
+use crate::stack::roomy;
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -30,6 +31,11 @@ impl Evaluator<'_> {
 
     /// The inside of a normal, also of a `normal_map` entry.
     pub(super) fn normal_items(&mut self, start: Option<Arc<Normal>>) -> SourceResult<Arc<Normal>> {
+        roomy(|| self.whole_normal(start))
+    }
+
+    fn whole_normal(&mut self, start: Option<Arc<Normal>>) -> SourceResult<Arc<Normal>> {
+        let span = self.span();
         let mut normal = start.map(|n| (*n).clone()).unwrap_or_default();
         if self.accept(K::UvMapping)? {
             normal.uv_mapping = true;
@@ -41,6 +47,7 @@ impl Evaluator<'_> {
             normal.uv_mapping |= uv_mapping;
         }
         while self.normal_item(&mut normal)? {}
+        normal.depth = self.nested(normal.depth_of_parts(), span)?;
         Ok(Arc::new(normal))
     }
 

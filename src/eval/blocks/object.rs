@@ -3,6 +3,7 @@
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::scene::{CsgOperation, Object, PhotonFlags, PlacedTexture, Shape, Texture};
+use crate::stack::roomy;
 use crate::syntax::{Keyword as K, TokenKind};
 use std::sync::Arc;
 
@@ -36,6 +37,10 @@ impl Evaluator<'_> {
     }
 
     fn object_block(&mut self) -> SourceResult<Option<Object>> {
+        roomy(|| self.object_in_braces())
+    }
+
+    fn object_in_braces(&mut self) -> SourceResult<Option<Object>> {
         let Some(keyword) = self.keyword()?.filter(|keyword| is_object_keyword(*keyword)) else { return Ok(None) };
         let span = self.next()?.span;
         let word = keyword.word();
@@ -391,6 +396,7 @@ impl Evaluator<'_> {
         if object.flags.cutaway_textures && !cuts {
             return self.error(span, "cutaway_textures belongs to an intersection or difference");
         }
+        object.depth = self.nested(object.depth_of_parts(), span)?;
         Ok(())
     }
 }

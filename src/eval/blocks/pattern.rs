@@ -190,10 +190,7 @@ impl Evaluator<'_> {
         let Some(path) = self.find_typed(&name, &["df3", "DF3"]) else {
             return self.error(span, format!("cannot find the density file \"{name}\""));
         };
-        let data = match self.host.read(&path) {
-            Ok(data) => data.into(),
-            Err(problem) => return self.error(span, format!("cannot read \"{name}\": {problem}")),
-        };
+        let data = self.bytes_of(&path, span)?.into();
         Ok(PatternKind::DensityFile { path, interpolation: 0, data })
     }
 
@@ -248,7 +245,7 @@ impl Evaluator<'_> {
             K::Warp => {
                 self.next()?;
                 let warp = self.warp()?;
-                pattern.warps.push(warp);
+                pattern.add(warp);
             }
             _ => return self.kind_modifier(keyword, pattern),
         }

@@ -4,6 +4,7 @@ use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
 use crate::scene::{Blend, ImageMap, MapEntry, MapType, Pattern, PatternKind, Pigment, PigmentKind, default_colors};
+use crate::stack::roomy;
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -17,8 +18,8 @@ struct Draft {
 
 enum Content {
     Solid(Color),
-    Colors(Blend<Color>),
-    Pigments(Blend<Arc<Pigment>>),
+    Colors(Arc<Blend<Color>>),
+    Pigments(Arc<Blend<Arc<Pigment>>>),
     Image(Arc<ImageMap>),
 }
 
@@ -26,9 +27,9 @@ impl Draft {
     fn new(pigment: Pigment) -> Self {
         let (pattern, content) = match pigment.kind {
             PigmentKind::Solid(color) => (Pattern::new(PatternKind::None), Content::Solid(color)),
-            PigmentKind::Colors(pattern, colors) => (pattern, Content::Colors(colors)),
-            PigmentKind::Pigments(pattern, pigments) => (pattern, Content::Pigments(pigments)),
-            PigmentKind::Image(pattern, image) => (pattern, Content::Image(image)),
+            PigmentKind::Colors(pattern, colors) => (*pattern, Content::Colors(colors)),
+            PigmentKind::Pigments(pattern, pigments) => (*pattern, Content::Pigments(pigments)),
+            PigmentKind::Image(pattern, image) => (*pattern, Content::Image(image)),
         };
         Self { pattern, content, quick_color: pigment.quick_color, uv_mapping: pigment.uv_mapping }
     }
@@ -36,11 +37,11 @@ impl Draft {
     fn finish(self) -> Pigment {
         let kind = match self.content {
             Content::Solid(color) => PigmentKind::Solid(color),
-            Content::Colors(colors) => PigmentKind::Colors(self.pattern, colors),
-            Content::Pigments(pigments) => PigmentKind::Pigments(self.pattern, pigments),
-            Content::Image(image) => PigmentKind::Image(self.pattern, image),
+            Content::Colors(colors) => PigmentKind::Colors(self.pattern.into(), colors),
+            Content::Pigments(pigments) => PigmentKind::Pigments(self.pattern.into(), pigments),
+            Content::Image(image) => PigmentKind::Image(self.pattern.into(), image),
         };
-        Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping }
+        Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping, depth: 0 }
     }
 
     /// After a pattern keyword with the items of a block pattern, if there are some.
@@ -50,25 +51,42 @@ impl Draft {
     fn adopt_pattern(&mut self, list: Option<Content>) {
         let block = self.pattern.kind.n_blocks().is_some();
         let average = matches!(self.pattern.kind, PatternKind::Average);
-        let own = || default_colors(&self.pattern.kind).into_iter().map(|e| e.item);
-        let old = list.unwrap_or_else(|| match std::mem::replace(&mut self.content, Content::Colors(Blend::Default)) {
-            _ if block => Content::Colors(Blend::List(Vec::new())),
+        let old = list.unwrap_or_else(|| match std::mem::replace(&mut self.content, Content::Solid(Color::BLACK)) {
+            _ if block => Content::colors(Blend::List(Vec::new())),
             old => old,
         });
         self.content = match old {
-            Content::Colors(Blend::List(mut colors)) if block => {
-                colors.extend(own().skip(colors.len()));
-                Content::Colors(Blend::List(colors))
+            Content::Colors(colors) if block && matches!(*colors, Blend::List(_)) => {
+                let mut colors = entries(Arc::unwrap_or_clone(colors)).unwrap_or_default();
+                let have = colors.len();
+                colors.extend(default_colors(&self.pattern.kind).into_iter().skip(have));
+                Content::colors(Blend::List(colors.into_iter().map(|entry| entry.item).collect()))
             }
             listed if block => listed,
-            Content::Colors(colors) => Content::Colors(entries(colors).map_or(Blend::Default, Blend::Map)),
-            Content::Pigments(pigments) => match entries(pigments) {
-                Some(entries) if average => Content::Pigments(Blend::Average(entries)),
-                Some(entries) => Content::Pigments(Blend::Map(entries)),
-                None => Content::Colors(Blend::Default),
+            Content::Colors(colors) if matches!(*colors, Blend::Map(_)) => Content::Colors(colors),
+            Content::Colors(colors) => {
+                Content::colors(entries(Arc::unwrap_or_clone(colors)).map_or(Blend::Default, Blend::Map))
+            }
+            Content::Pigments(pigments) if !average && matches!(*pigments, Blend::Map(_)) => {
+                Content::Pigments(pigments)
+            }
+            Content::Pigments(pigments) => match entries(Arc::unwrap_or_clone(pigments)) {
+                Some(entries) if average => Content::pigments(Blend::Average(entries)),
+                Some(entries) => Content::pigments(Blend::Map(entries)),
+                None => Content::colors(Blend::Default),
             },
-            Content::Solid(_) | Content::Image(_) => Content::Colors(Blend::Default),
+            Content::Solid(_) | Content::Image(_) => Content::colors(Blend::Default),
         };
+    }
+}
+
+impl Content {
+    fn colors(colors: Blend<Color>) -> Self {
+        Self::Colors(Arc::new(colors))
+    }
+
+    fn pigments(pigments: Blend<Arc<Pigment>>) -> Self {
+        Self::Pigments(Arc::new(pigments))
     }
 }
 
@@ -94,6 +112,11 @@ impl Evaluator<'_> {
 
     /// The inside of a pigment, also of a `pigment_map` entry.
     pub(super) fn pigment_items(&mut self, start: Pigment) -> SourceResult<Pigment> {
+        roomy(|| self.whole_pigment(start))
+    }
+
+    fn whole_pigment(&mut self, start: Pigment) -> SourceResult<Pigment> {
+        let span = self.span();
         let mut draft = Draft::new(start);
         if self.accept(K::UvMapping)? {
             draft.uv_mapping = true;
@@ -105,7 +128,9 @@ impl Evaluator<'_> {
             draft.uv_mapping |= uv_mapping;
         }
         while self.pigment_item(&mut draft)? {}
-        Ok(draft.finish())
+        let mut pigment = draft.finish();
+        pigment.depth = self.nested(pigment.depth_of_parts(), span)?;
+        Ok(pigment)
     }
 
     fn pigment_item(&mut self, draft: &mut Draft) -> SourceResult<bool> {
@@ -119,14 +144,14 @@ impl Evaluator<'_> {
             Some(K::ColorMap | K::ColourMap) => {
                 self.check_pigment_map(draft, "color_map", false)?;
                 self.next()?;
-                draft.content = Content::Colors(Blend::Map(self.color_map()?));
+                draft.content = Content::colors(Blend::Map(self.color_map()?));
                 return Ok(true);
             }
             Some(K::PigmentMap) => {
                 self.check_pigment_map(draft, "pigment_map", true)?;
                 self.next()?;
                 let average = matches!(draft.pattern.kind, PatternKind::Average);
-                draft.content = Content::Pigments(self.pigment_map(average)?);
+                draft.content = Content::pigments(self.pigment_map(average)?);
                 return Ok(true);
             }
             Some(K::QuickColor | K::QuickColour) => {
@@ -176,14 +201,14 @@ impl Evaluator<'_> {
                 self.comma()?;
             }
             pigments.resize(n, self.defaults.layer.pigment.clone());
-            return Ok(Some(Content::Pigments(Blend::List(pigments))));
+            return Ok(Some(Content::pigments(Blend::List(pigments))));
         }
         let mut colors = Vec::new();
         while colors.len() < n && self.starts_color()? {
             colors.push(self.color()?);
             self.comma()?;
         }
-        Ok((!colors.is_empty()).then_some(Content::Colors(Blend::List(colors))))
+        Ok((!colors.is_empty()).then(|| Content::colors(Blend::List(colors))))
     }
 
     /// `image_map { … }`, after the word.

@@ -3,9 +3,8 @@
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
 use crate::math::{DVec2, DVec3};
-use crate::scene::{CsgOperation, Object, Shape, SmoothTriangle, SweepSpline};
+use crate::scene::{CsgOperation, Shape, SmoothTriangle, SweepSpline};
 use crate::syntax::Keyword as K;
-use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
 /// POV-Ray's highest order of a polynomial.
@@ -270,24 +269,6 @@ fn coefficient_index(order: u32, [i, j, k]: [i64; 3]) -> usize {
 }
 
 impl Shape {
-    /// Whether the shape has no inside.
-    pub fn is_patch(&self) -> bool {
-        self.is_patch_beside(&mut FxHashSet::default())
-    }
-
-    /// The same; lists of children that were met need no second look, however often they are used.
-    fn is_patch_beside(&self, met: &mut FxHashSet<*const Arc<Object>>) -> bool {
-        match self {
-            Self::Triangle { .. } | Self::SmoothTriangle(_) | Self::BicubicPatch(_) | Self::Parametric(_) => true,
-            Self::Mesh(mesh) => mesh.inside_vector.is_none(),
-            Self::LightSource(_) => true,
-            Self::Csg { children, .. } => {
-                met.insert(children.as_ptr()) && children.iter().any(|child| child.shape.is_patch_beside(met))
-            }
-            _ => false,
-        }
-    }
-
     /// Whether `sturm` is legal.
     pub(super) fn takes_sturm(&self) -> bool {
         matches!(

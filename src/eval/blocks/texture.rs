@@ -3,6 +3,7 @@
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
 use crate::scene::{Blend, Pattern, PatternKind, PatternedTexture, Texture, TextureLayer};
+use crate::stack::roomy;
 use crate::syntax::{Keyword as K, TokenKind};
 use std::sync::Arc;
 
@@ -19,6 +20,10 @@ impl Evaluator<'_> {
     ///
     /// A declared texture that nothing is added to stays shared.
     pub(super) fn texture_items(&mut self) -> SourceResult<Arc<Texture>> {
+        roomy(|| self.whole_texture())
+    }
+
+    fn whole_texture(&mut self) -> SourceResult<Arc<Texture>> {
         let pick = |v: &Value| if let Value::Texture(t) = v { Some(t.clone()) } else { None };
         if let Some(mut known) = self.take_declared(pick)? {
             if self.peek()?.kind != TokenKind::Punct('}') {
@@ -93,7 +98,7 @@ impl Evaluator<'_> {
             Some(K::Finish) => {
                 self.next()?;
                 let start = (*layer.finish).clone();
-                layer.finish = Arc::new(self.finish_block(start)?);
+                layer.finish = self.shared_finish_block(start)?;
             }
             Some(K::NoBumpScale) => {
                 self.next()?;
@@ -126,6 +131,7 @@ impl Evaluator<'_> {
             map: Blend::Default,
             no_bump_scale: false,
             uv_mapping: false,
+            depth: 0,
         };
         let span = self.span();
         match self.keyword()? {
@@ -146,6 +152,7 @@ impl Evaluator<'_> {
         if matches!(patterned.map, Blend::Default) {
             return self.error(span, "a texture with a pattern needs a texture_map or a list of textures");
         }
+        patterned.depth = self.nested(patterned.depth_of_parts(), span)?;
         Ok(Some(patterned))
     }
 

@@ -120,7 +120,7 @@ impl<'t> Layers<'t> {
 
     /// The uppermost layer's finish.
     pub(super) fn top_finish(&self) -> Option<&'t Finish> {
-        self.layers.last().map(|top| &top.finish)
+        self.layers.last().map(|top| &*top.finish)
     }
 
     /// The finish whose legacy keywords count.

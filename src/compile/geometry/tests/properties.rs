@@ -201,7 +201,9 @@ fn follow(case: &Case, geometry: &Geometry, place: &Transform, ray: &Ray, random
     let mut scratch = Scratch::default();
     let mut nearest = |ray: &Ray, range: Range| geometry.intersect(ray, range, RayKind::Refracted, &mut scratch);
     let hit = nearest(ray, Range::FORWARD);
-    f.disagree += u32::from(hit.is_some() != (geometry.shadow(ray, Range::FORWARD, 0, None, &mut Scratch::default()) == Shadow::Blocked));
+    f.disagree += u32::from(
+        hit.is_some() != (geometry.shadow(ray, Range::FORWARD, 0, None, &mut Scratch::default()) == Shadow::Blocked),
+    );
     let Some(hit) = hit else { return };
     f.hits += 1;
     let first = geometry.surface(ray, &hit);

@@ -2,7 +2,7 @@
 
 use super::looks::met;
 use crate::compile::Queries;
-use crate::compiled::geometry::{RayKind, Scratch};
+use crate::compiled::geometry::{RayKind, Scratch, Shadow};
 use crate::eval::{Options, evaluate};
 use crate::math::{DVec3, MersenneTwister, Range, Ray};
 
@@ -88,7 +88,8 @@ fn the_skin_of_a_merge_is_found_from_both_sides() {
             let found = geometry.intersect(&ray, Range::FORWARD, RayKind::Camera, scratch).map(|hit| hit.t);
             let same = found.zip(expected).map_or(found == expected, |(a, b)| (a - b).abs() < 1e-9);
             assert!(same, "{n} spheres, {ray:?}: {found:?}, expected {expected:?}");
-            assert_eq!(geometry.occluded(&ray, Range::FORWARD, 0, scratch), expected.is_some());
+            let shadow = geometry.shadow(&ray, Range::FORWARD, 0, None, scratch);
+            assert_eq!(shadow == Shadow::Blocked, expected.is_some());
         }
     }
 }
