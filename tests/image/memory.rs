@@ -27,7 +27,7 @@ fn check(statement: &str, file: &str, bytes: Vec<u8>, expected: [f32; 3]) {
     let host = Memory::new([("a.pov", text.as_str())]).with(file, bytes);
     let read = eval::evaluate("a.pov".as_ref(), &eval::Options::default(), &host, &Queries::default());
     let world = compile::compile(&read.expect("the scene is right").scene).expect("the picture is there").world;
-    let found = picture(&world, &Options { width: 2, height: 2, threads: 1, ..Options::default() }).pixels[0];
+    let found = picture(&world, &Options { width: 2, height: 2, ..Options::default() }).pixels[0];
     assert!(found.iter().zip(expected).all(|(f, e)| (f - e).abs() < 1e-3), "{statement}: {found:?}, not {expected:?}");
 }
 
