@@ -5,7 +5,7 @@ use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
 use crate::compiled::interior::{Interior, InteriorFade};
-use crate::compiled::{Group, Settings, Transfer, World};
+use crate::compiled::{Features, Group, Settings, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::noise::Octaves;
 use crate::math::{Color, DVec3};
@@ -53,7 +53,7 @@ pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
     let (Some(camera), Some(atmosphere), true) = (camera, atmosphere, errors.is_empty()) else {
         return Err(errors);
     };
-    let world = World {
+    let mut world = World {
         geometry,
         opaque: textures.iter().map(crate::compiled::texture::Texture::is_opaque).collect(),
         textures,
@@ -65,7 +65,9 @@ pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
         atmosphere,
         settings: settings(&scene.settings),
         labels,
+        features: Features::default(),
     };
+    world.features = Features::of(&world);
     Ok(Compiled { world, warnings, watched })
 }
 

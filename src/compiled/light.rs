@@ -127,7 +127,8 @@ impl Light {
             Beam::Even => 1.0,
             Beam::Spot { cos_radius, cos_falloff, tightness } => {
                 let cosine = -self.axis.dot(direction);
-                if cosine <= 0.0 {
+                // Of parallel light all comes from straight ahead, but nothing from behind the light's plane.
+                if cosine <= 0.0 || self.parallel && (point - self.location).dot(self.axis) < 0.0 {
                     return 0.0;
                 }
                 let soft = cos_radius > 0.0 && cosine < cos_radius;
@@ -266,5 +267,10 @@ mod tests {
         check(&faded(-9.9, 1.5), 0.422599);
         check(&faded(-1.0, 2.0), 2.0 * 0.769238);
         check(&Light { parallel: true, ..light([0.0, 0.0, -9.0], [9.0, 0.0, 0.0], Beam::Even) }, 0.565682);
+        // Only a spotlight leaves dark what is behind its plane.
+        let behind = |beam| Light { parallel: true, ..light([0.0, 0.0, 9.0], [0.0, 0.0, 18.0], beam) };
+        assert!(behind(Beam::Even).arrival(DVec3::ZERO, 9.0 * DVec3::Z).color == Rgb::splat(0.8));
+        let spot = Beam::Spot { cos_radius: 0.8, cos_falloff: 0.7, tightness: 0.0 };
+        assert!(behind(spot).arrival(DVec3::ZERO, 9.0 * DVec3::Z).color == Rgb::ZERO);
     }
 }

@@ -6,6 +6,7 @@
 
 pub mod atmosphere;
 pub mod camera;
+mod features;
 pub mod geometry;
 pub mod interior;
 mod labels;
@@ -14,5 +15,6 @@ pub mod mesh_camera;
 pub mod texture;
 mod world;
 
+pub use features::Features;
 pub use labels::Labels;
 pub use world::{Group, Settings, Transfer, World};

@@ -2,6 +2,7 @@
 
 use super::atmosphere::Atmosphere;
 use super::camera::Camera;
+use super::features::Features;
 use super::geometry::{Geometry, InteriorId, LightGroupId, TextureId};
 use super::interior::Interior;
 use super::labels::Labels;
@@ -35,21 +36,22 @@ pub struct World {
     pub settings: Settings,
     /// Names, for layers.
     pub labels: Labels,
+    /// What of all this there is.
+    pub features: Features,
 }
 
 impl World {
     /// How much there is of what, in a fixed order.
     pub fn summary(&self) -> Vec<(&'static str, usize)> {
         let mut summary = self.geometry.summary();
-        let opaque = self.opaque.iter().filter(|opaque| **opaque).count();
         summary.extend([
             ("textures", self.textures.len()),
-            ("opaque textures", opaque),
             ("interiors", self.interiors.len()),
             ("lights", self.lights.len()),
             ("lights of groups", self.lights.len() - self.n_global_lights.min(self.lights.len())),
             ("light groups", self.groups.len()),
         ]);
+        summary.extend(self.features.summary());
         summary
     }
 }
@@ -116,18 +118,5 @@ impl World {
         let group = group.map(|g| self.groups[g.0 as usize].clone());
         let global = group.as_ref().is_none_or(|g| g.global_lights);
         (0..if global { self.n_global_lights } else { 0 }).chain(group.map_or(0..0, |g| g.lights))
-    }
-
-    /// Whether it makes a difference which objects a ray is in: it bends or fades in one of them, or fog is about.
-    pub fn interiors_matter(&self) -> bool {
-        let plain = |i: &Arc<Interior>| i.ior == 1.0 && i.dispersion == 1.0 && i.fade.is_none();
-        !self.atmosphere.is_clear()
-            || !self.interiors.iter().all(plain)
-            || self.textures.iter().any(Texture::bends_light)
-    }
-
-    /// Whether no light comes through anything, so that shadow rays need no nearest hit.
-    pub fn all_opaque(&self) -> bool {
-        self.opaque.iter().all(|o| *o)
     }
 }

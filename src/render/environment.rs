@@ -5,64 +5,53 @@
 use super::options::Options;
 use super::path::Path;
 use super::radiance::Radiance;
-use crate::compiled::atmosphere::{Atmosphere, Sky};
+use crate::compiled::World;
+use crate::compiled::atmosphere::Sky;
 use crate::compiled::geometry::RayKind;
 use crate::compiled::texture::Context;
-use crate::math::{Color, DVec3, Rgb, gray};
+use crate::math::{Color, Rgb, gray};
 
-/// Who looks at the sky.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Onlooker {
-    /// The picture has an alpha channel.
-    pub(super) alpha: bool,
-    /// By way of a mirror.
-    pub(super) mirrored: bool,
-}
-
-impl Onlooker {
-    pub(super) fn of(path: &Path, options: &Options) -> Self {
-        Self { alpha: options.alpha, mirrored: path.kind == RayKind::Reflected }
-    }
-}
-
-/// The light from a direction (unit, world).
-pub(super) fn radiance(atmosphere: &Atmosphere, direction: DVec3, onlooker: Onlooker) -> Radiance {
-    let Some(sky) = &atmosphere.sky else { return behind(atmosphere, onlooker, Rgb::ZERO, Rgb::ONE) };
+/// The light at the end of a path that meets nothing.
+pub(super) fn radiance(world: &World, options: &Options, path: &Path) -> Radiance {
+    let direction = path.ray.direction;
+    let Some(sky) = &world.atmosphere.sky else { return behind(world, options, path, Rgb::ZERO, Rgb::ONE) };
     let point = sky.sky_from_world.point(direction);
-    let context = Context { direction, normal: direction, point, ..Context::default() };
+    let context = Context { direction, point, ..Context::default() };
     let colors = sky.pigments.iter().rev().map(|pigment| pigment.color_or_clear(point, &context));
-    radiance_of(atmosphere, sky, onlooker, colors)
+    radiance_of(world, options, path, sky, colors)
 }
 
 /// The light of a sky of which the colours are known, uppermost first.
 pub(super) fn radiance_of(
-    atmosphere: &Atmosphere,
+    world: &World,
+    options: &Options,
+    path: &Path,
     sky: &Sky,
-    onlooker: Onlooker,
     colors: impl Iterator<Item = Color>,
 ) -> Radiance {
-    if atmosphere.legacy {
+    if world.atmosphere.legacy {
         let (rgb, filter) = legacy_sky(sky, colors);
-        return behind(atmosphere, onlooker, rgb, filter);
+        return behind(world, options, path, rgb, filter);
     }
     let (mut rgb, mut filter) = (Rgb::ZERO, Rgb::ONE);
     for color in colors {
         rgb += color.rgb * color.opacity() * filter * sky.emission;
         filter *= color.transmittance();
     }
-    behind(atmosphere, onlooker, rgb, filter)
+    behind(world, options, path, rgb, filter)
 }
 
 /// The light of a sky and what its filter leaves of the background.
-fn behind(atmosphere: &Atmosphere, onlooker: Onlooker, mut rgb: Rgb, mut filter: Rgb) -> Radiance {
-    let shows_through = onlooker.alpha && !onlooker.mirrored;
+fn behind(world: &World, options: &Options, path: &Path, mut rgb: Rgb, mut filter: Rgb) -> Radiance {
+    let atmosphere = &world.atmosphere;
+    let shows_through = options.alpha && path.kind != RayKind::Reflected;
     if shows_through && atmosphere.legacy {
         return Radiance::CLEAR;
     }
     let opaque = |rgb: Rgb| Color { rgb, ..Color::BLACK };
     let background = match atmosphere.background {
         Some(background) if shows_through => background.translucent,
-        Some(background) if onlooker.alpha => opaque(background.mirrored),
+        Some(background) if options.alpha => opaque(background.mirrored),
         Some(background) => opaque(background.opaque),
         None if shows_through => Color { transmit: 1.0, ..Color::BLACK },
         None => Color::BLACK,

@@ -7,9 +7,7 @@ use super::camera::Lens;
 use super::medium::Interiors;
 use super::options::Options;
 use crate::compiled::World;
-use crate::compiled::atmosphere::Sky;
 use crate::compiled::camera::Projection;
-use crate::compiled::texture::Texture;
 
 /// A world with what all its rays share.
 #[derive(Debug)]
@@ -20,34 +18,23 @@ pub(super) struct Prepared<'w> {
     pub(super) lens: Option<Lens>,
     /// What the camera is inside of, for projections with one centre.
     pub(super) camera_interiors: Option<Interiors>,
-    /// Whether it makes a difference which objects a ray is in.
-    pub(super) interiors_matter: bool,
-    /// Whether shadow rays need no more than a yes or no.
-    pub(super) all_opaque: bool,
     /// Whether neighbours among camera rays may share work.
     pub(super) side_by_side: bool,
-    /// Whether they do where they see the sky.
-    pub(super) sky_side_by_side: bool,
 }
 
 impl<'w> Prepared<'w> {
     pub(super) fn new(world: &'w World, options: &'w Options) -> Self {
-        let sky_side_by_side = world.atmosphere.sky.as_ref().is_some_and(Sky::is_side_by_side);
-        let interiors_matter = world.interiors_matter();
-        let camera = &world.camera;
+        let (camera, features) = (&world.camera, &world.features);
         Self {
             world,
             options,
             lens: camera.blur.as_ref().map(|blur| Lens::new(camera, blur)),
-            camera_interiors: camera.projection.has_one_center().then(|| match interiors_matter {
+            camera_interiors: camera.projection.has_one_center().then(|| match features.interiors_matter() {
                 true => Interiors::at(world, camera.location),
                 false => Interiors::default(),
             }),
-            interiors_matter,
-            all_opaque: world.all_opaque(),
             side_by_side: one_ray_a_position(world)
-                && (sky_side_by_side || world.textures.iter().any(Texture::is_side_by_side)),
-            sky_side_by_side,
+                && (features.side_by_side_sky || features.side_by_side_textures > 0),
         }
     }
 }

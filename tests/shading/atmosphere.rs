@@ -29,6 +29,14 @@ fn skies_are_layered() {
 }
 
 #[test]
+fn patterns_of_the_surface_are_zero_in_the_sky() {
+    for pattern in ["aoi", "slope y", "slope { y altitude x }", "slope { point_at <2,3,-1> }"] {
+        let map = "color_map { [0 rgb <.2,.4,.6>] [1 rgb 1] }";
+        check(&format!("{CZ} sky_sphere {{ pigment {{ {pattern} {map} }} }}"), [0.2, 0.4, 0.6]);
+    }
+}
+
+#[test]
 fn alpha_shows_the_backdrop() {
     let see = |background: &str, expected: [f32; 4]| {
         let found = pixel(&format!("{CZ} background{{{background}}}"), &Options { alpha: true, ..single() });

@@ -30,6 +30,25 @@ fn reflections_of_layers_add_up() {
 }
 
 #[test]
+fn uv_mapping_starts_from_the_default_pigment() {
+    let seen = |pigments: &str, expected: f32| {
+        check_grey(&format!("#default{{finish{{ambient 1 diffuse 0}}}} {CZ} sphere{{0,1 {pigments}}}"), expected);
+    };
+    seen("pigment{rgb .8} pigment{uv_mapping}", 0.0);
+    seen("pigment{checker rgb .3 rgb .3} pigment{uv_mapping scale 2}", 0.0);
+    seen("pigment{uv_mapping rgb .6}", 0.6);
+    let declared = "#declare P = pigment{rgb .7} #default{finish{ambient 1 diffuse 0}}";
+    check_grey(&format!("{declared} {CZ} sphere{{0,1 pigment{{uv_mapping P}}}}"), 0.7);
+    check_grey(&format!("{declared} {CZ} sphere{{0,1 pigment{{P uv_mapping}}}}"), 0.0);
+    check_grey(
+        &format!(
+            "#default{{pigment{{rgb .6}} finish{{ambient 1 diffuse 0}}}} {CZ} sphere{{0,1 pigment{{uv_mapping}}}}"
+        ),
+        0.6,
+    );
+}
+
+#[test]
 fn layers_end_where_nothing_shows() {
     for (q, expected) in [(".003", 0.299107), (".0045", 0.748653)] {
         let below = "texture{pigment{rgb 1} finish{ambient 100 diffuse 0}}";

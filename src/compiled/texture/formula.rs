@@ -164,6 +164,9 @@ fn wrapped(v: f64) -> f64 {
 
 fn angle_of_incidence(context: &Context) -> f64 {
     let normal = context.shading_normal().normalize_or_zero();
+    if normal == DVec3::ZERO {
+        return 0.0; // not on a surface
+    }
     normal.dot(context.direction).clamp(-1.0, 1.0).acos() / PI
 }
 

@@ -60,7 +60,7 @@ impl Evaluator<'_> {
             area.orient = draft.orient;
             area.area_illumination = draft.area_illumination;
             let span = self.span();
-            if area.circular && (area.size1 < 2 || area.size2 < 2) {
+            if draft.circular && (area.size1 < 2 || area.size2 < 2) {
                 return self.error(span, "a circular area light needs at least two samples along each axis");
             }
         } else if draft.circular || draft.orient {

@@ -119,7 +119,7 @@ impl Evaluator<'_> {
         let span = self.span();
         let mut draft = Draft::new(start);
         if self.accept(K::UvMapping)? {
-            draft.uv_mapping = true;
+            draft = self.uv_mapped();
         }
         let pick = |v: &Value| if let Value::Pigment(p) = v { Some(p.clone()) } else { None };
         if let Some(pigment) = self.take_declared(pick)? {
@@ -131,6 +131,11 @@ impl Evaluator<'_> {
         let mut pigment = draft.finish();
         pigment.depth = self.nested(pigment.depth_of_parts(), span)?;
         Ok(pigment)
+    }
+
+    /// What `uv_mapping` starts from: the `#default` pigment, whatever was written before (measured).
+    fn uv_mapped(&self) -> Draft {
+        Draft { uv_mapping: true, ..Draft::new((*self.defaults.layer.pigment).clone()) }
     }
 
     fn pigment_item(&mut self, draft: &mut Draft) -> SourceResult<bool> {
@@ -161,7 +166,7 @@ impl Evaluator<'_> {
             }
             Some(K::UvMapping) => {
                 self.next()?;
-                draft.uv_mapping = true;
+                *draft = self.uv_mapped();
                 return Ok(true);
             }
             _ => {}

@@ -91,7 +91,7 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
         Some(length) if inside.are_hollow() => fog_transmittance(world, ray, length),
         _ => Rgb::ONE,
     };
-    let opaque = (!worker.prepared.all_opaque).then_some(world.opaque.as_slice());
+    let opaque = (world.features.see_through_textures > 0).then_some(world.opaque.as_slice());
     match world.geometry.shadow(&ray, range, way.light, opaque, &mut worker.scratch) {
         Shadow::Blocked => return Rgb::ZERO,
         Shadow::Clear => return color * fog(&ray, way.fogged, vertex.interiors()),

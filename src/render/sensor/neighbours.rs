@@ -9,12 +9,12 @@ use crate::compiled::geometry::{Hit, Surface, TextureId};
 use crate::compiled::texture::Texture;
 use crate::math::{LANES, Points, Uv, each_lane};
 use crate::render::camera::RawRay;
-use crate::render::environment::{self, Onlooker};
+use crate::render::environment;
 use crate::render::film::Gather;
 use crate::render::path::Path;
 use crate::render::random::Random;
-use crate::render::shade::{Lane, Lanes, TextureSpace, texture_space};
-use crate::render::transport::{Known, escaped, reflected};
+use crate::render::shade::{Known, Lane, Lanes, TextureSpace, texture_space};
+use crate::render::transport::{escaped, reflected};
 use crate::render::worker::Worker;
 use smallvec::SmallVec;
 
@@ -97,7 +97,7 @@ fn at_all<'w, G: Gather>(
     let path = path(worker, raw.finish(&world.camera), f64::INFINITY, Random::at(x, y));
     let Some(hit) = worker.intersect(&path) else {
         let encounter = Encounter { before, path: &path, met: Met::Sky };
-        if worker.prepared.sky_side_by_side && before.is_none_or(|before| matches!(before.met, Met::Sky)) {
+        if world.features.side_by_side_sky && before.is_none_or(|before| matches!(before.met, Met::Sky)) {
             return at_all(worker, others, Some(&encounter), found);
         }
         let light = shade(worker, &encounter, None);
@@ -143,10 +143,7 @@ fn shade<'w, G: Gather>(worker: &mut Worker<'w>, encounter: &Encounter<'_, 'w>, 
     let path = encounter.path;
     sample(match encounter.met {
         Met::Surface { hit, surface, space, .. } => reflected(worker, path, hit, surface, Some(Known { space, lane })),
-        Met::Sky => {
-            let onlooker = Onlooker::of(path, worker.options());
-            escaped(worker, path, environment::radiance(&worker.world().atmosphere, path.ray.direction, onlooker))
-        }
+        Met::Sky => escaped(worker, path, environment::radiance(worker.world(), worker.options(), path)),
     })
 }
 
@@ -175,14 +172,13 @@ fn shade_four<'w, G: Gather>(worker: &mut Worker<'w>, last: Option<&Encounter<'_
 
 /// Adds the light of four rays that see the sky.
 fn shade_skies<'w, G: Gather>(worker: &Worker<'w>, four: [&Encounter<'_, 'w>; LANES], found: &mut Vec<G>) {
-    let atmosphere = &worker.world().atmosphere;
-    let Some(sky) = &atmosphere.sky else { return };
+    let (world, options) = (worker.world(), worker.options());
+    let Some(sky) = &world.atmosphere.sky else { return };
     let points = Points::from(each_lane(|i| sky.sky_from_world.point(four[i].path.ray.direction)));
     let uvs = [Uv::default(); LANES];
     let colors: SmallVec<[_; 2]> = sky.pigments.iter().rev().map(|p| p.colors(&points, &uvs)).collect();
     for (lane, Encounter { path, .. }) in four.into_iter().enumerate() {
-        let onlooker = Onlooker::of(path, worker.options());
-        let light = environment::radiance_of(atmosphere, sky, onlooker, colors.iter().map(|lanes| lanes[lane]));
+        let light = environment::radiance_of(world, options, path, sky, colors.iter().map(|lanes| lanes[lane]));
         found.push(sample(escaped(worker, path, light)));
     }
 }

@@ -86,7 +86,7 @@ pub(super) fn path(worker: &mut Worker<'_>, ray: Ray, far: f64, random: Random) 
     worker.statistics.camera_rays += 1;
     let prepared = worker.prepared;
     let interiors = match &prepared.camera_interiors {
-        _ if !prepared.interiors_matter => Interiors::default(),
+        _ if !prepared.world.features.interiors_matter() => Interiors::default(),
         Some(known) if is_clear(worker, ray.origin) => known.clone(),
         _ => Interiors::at(prepared.world, ray.origin),
     };

@@ -56,6 +56,13 @@ pub(super) struct TextureSpace<'w> {
     pub(super) texture_from_world: Option<Cow<'w, Transform>>,
 }
 
+/// What is known already of a hit with a single texture.
+#[derive(Clone, Copy)]
+pub(super) struct Known<'p> {
+    pub(super) space: &'p TextureSpace<'p>,
+    pub(super) lane: Option<Lane<'p>>,
+}
+
 /// Where a texture of a hit is looked up.
 // Always inline: the map is too large to be handed back for nothing.
 #[inline(always)]

@@ -3,36 +3,29 @@
 //! Source: T. Whitted, "An Improved Illumination Model for Shaded Display", Communications of the ACM 23 (6), 1980;
 //! the order of terms is that of section 2 of the shading facts (measured).
 
+mod air;
 mod dispersion;
 mod secondary;
 mod surface;
 
-use super::environment::{self, Onlooker};
+pub(super) use air::escaped;
+
+use super::environment;
 use super::film::{Gather, Term};
 use super::light::ArrivingLight;
-use super::medium::airlight;
 use super::path::Path;
 use super::radiance::Radiance;
 use super::random::Branch;
-use super::shade::{Lane, Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
+use super::shade::{Known, Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
 use super::statistics::Statistics;
 use super::vertex::Vertex;
 use super::worker::Worker;
 use crate::compiled::geometry::{Hit, Surface};
 use crate::compiled::texture::Frame;
 use crate::math::Rgb;
+use air::through_air;
 use secondary::{Boundary, Refraction, mirrored};
 use surface::{Mirror, Shaded, shade};
-
-/// POV-Ray's length of a ray that meets nothing, for fog.
-const MISS_LENGTH: f64 = 2e10;
-
-/// What is known already of a hit with a single texture.
-#[derive(Clone, Copy)]
-pub(super) struct Known<'p> {
-    pub(super) space: &'p TextureSpace<'p>,
-    pub(super) lane: Option<Lane<'p>>,
-}
 
 /// The light that comes along a ray, towards its origin.
 pub(super) fn radiance<G: Gather>(worker: &mut Worker<'_>, path: &Path) -> G {
@@ -44,19 +37,8 @@ pub(super) fn radiance<G: Gather>(worker: &mut Worker<'_>, path: &Path) -> G {
             let surface = worker.world().geometry.surface(&path.ray, &hit);
             reflected(worker, path, &hit, &surface, None)
         }
-        None => {
-            let onlooker = Onlooker::of(path, worker.options());
-            escaped(worker, path, environment::radiance(&worker.world().atmosphere, path.ray.direction, onlooker))
-        }
+        None => escaped(worker, path, environment::radiance(worker.world(), worker.options(), path)),
     }
-}
-
-/// The light along a ray that meets nothing but a sky.
-pub(super) fn escaped<G: Gather>(worker: &Worker<'_>, path: &Path, sky: Radiance) -> G {
-    let mut found = G::default();
-    found.add(Term::Background, sky);
-    through_air(worker, path, MISS_LENGTH, &mut found);
-    found
 }
 
 /// The light that what a ray met sends back along it.
@@ -108,11 +90,9 @@ fn layered<G: Gather>(
     let Shaded { mut found, beyond, mirrors } = shade::<G>(worker, vertex, layers, lookup, arriving);
     let mut total_reflection = None;
     if let Some(boundary) = &beyond {
-        let refraction = Refraction::new(worker.world(), vertex, boundary);
-        let light = transmitted(worker, vertex, boundary, &refraction);
-        let is_total = refraction.is_total_reflection();
-        found.add(if is_total { Term::Reflection } else { Term::Refraction }, light);
-        total_reflection = is_total.then_some(boundary.normal);
+        let (term, light) = transmitted(worker, vertex, boundary);
+        found.add(term, light);
+        total_reflection = (term == Term::Reflection).then_some(boundary.normal);
     }
     for mirror in mirrors.iter().filter(|mirror| !total_reflection.is_some_and(|normal| mirror.has_normal(normal))) {
         found.add(Term::Reflection, Radiance::opaque(mirror_image(worker, vertex, mirror)));
@@ -120,8 +100,9 @@ fn layered<G: Gather>(
     found
 }
 
-/// The light that comes through a surface.
-fn transmitted(worker: &mut Worker<'_>, vertex: &Vertex<'_>, boundary: &Boundary<'_>, rays: &Refraction) -> Radiance {
+/// The light that comes through a surface, or is reflected there in full.
+fn transmitted(worker: &mut Worker<'_>, vertex: &Vertex<'_>, boundary: &Boundary<'_>) -> (Term, Radiance) {
+    let rays = Refraction::new(worker.world(), vertex, boundary);
     let mut sum = Radiance::BLACK;
     for i in 0..rays.n_rays() {
         let ray = rays.ray(vertex, boundary, i);
@@ -129,7 +110,7 @@ fn transmitted(worker: &mut Worker<'_>, vertex: &Vertex<'_>, boundary: &Boundary
         sum.rgb += ray.hue * found.rgb;
         sum.transparency += found.transparency;
     }
-    rays.weighted(worker.world(), vertex, boundary, sum)
+    (rays.term(), rays.weighted(worker.world(), vertex, boundary, sum))
 }
 
 /// What one layer mirrors.
@@ -152,15 +133,4 @@ fn followed(
     }
     *count(&mut worker.statistics) += 1;
     radiance(worker, path)
-}
-
-/// Carries what was found at the end of a ray through what is in the air.
-#[inline(always)]
-fn through_air<G: Gather>(worker: &Worker<'_>, path: &Path, length: f64, found: &mut G) {
-    if worker.options().atmosphere()
-        && path.interiors.are_hollow()
-        && let Some(air) = airlight(worker.world(), &path.ray, length, path.random)
-    {
-        found.pass(&air);
-    }
 }

@@ -7,6 +7,7 @@ use crate::compiled::World;
 use crate::compiled::geometry::RayKind;
 use crate::compiled::texture::Finish;
 use crate::math::{DVec3, Rgb, gray};
+use crate::render::film::Term;
 use crate::render::medium::{Crossing, Interiors, inside_of};
 use crate::render::path::Path;
 use crate::render::radiance::Radiance;
@@ -91,9 +92,9 @@ impl Refraction {
         if let Bend::Dispersed(n) = self.bend { n } else { 1 }
     }
 
-    /// Whether nothing got through.
-    pub(super) fn is_total_reflection(&self) -> bool {
-        self.bend == Bend::TotalReflection
+    /// What the light counts as: none gets through where all is reflected.
+    pub(super) fn term(&self) -> Term {
+        if self.bend == Bend::TotalReflection { Term::Reflection } else { Term::Refraction }
     }
 
     /// Ray number `i` of [`Self::n_rays`].
@@ -135,7 +136,7 @@ impl Refraction {
         boundary: &Boundary<'_>,
         sum: Radiance,
     ) -> Radiance {
-        if self.is_total_reflection() {
+        if self.bend == Bend::TotalReflection {
             let film = match boundary.top.filter(|finish| finish.irid_amount != 0.0) {
                 Some(finish) => {
                     let direction = mirror_direction(vertex.view(), boundary.normal, vertex.facing);
