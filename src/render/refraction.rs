@@ -42,7 +42,8 @@ struct Crossing {
     leaving: bool,
 }
 
-/// A ratio of indices, in single precision as in POV-Ray.
+/// A ratio of indices, or of dispersions. Between two objects POV-Ray holds it in single precision, but not where one
+/// side is air (measured).
 fn ratio(a: f64, b: f64) -> f64 {
     f64::from((a / b) as f32)
 }
@@ -55,9 +56,9 @@ pub(super) fn relative_ior(interiors: &Interiors, substance: &Substance) -> f64 
     let own = substance.inside;
     let Some(last) = interiors.last() else { return own.ior };
     match interiors.iter().position(|i| i.key == own.key) {
-        None => ratio(own.ior, last.ior),
-        Some(0) if interiors.len() == 1 => ratio(1.0, own.ior),
-        Some(_) => ratio(last.ior, own.ior),
+        None => own.ior / last.ior,
+        Some(0) if interiors.len() == 1 => 1.0 / own.ior,
+        Some(_) => last.ior / own.ior,
     }
 }
 
@@ -68,8 +69,8 @@ fn crossing(interiors: &Interiors, substance: &Substance) -> Crossing {
     let last = interiors.last();
     let Some(at) = interiors.iter().position(|i| i.key == own.key) else {
         list.push(own);
-        let (ior, dispersion) = last.map_or((1.0, 1.0), |l| (l.ior, l.dispersion));
-        let (eta, dispersion) = (ratio(ior, own.ior), dispersion / own.dispersion);
+        let air = (1.0 / own.ior, 1.0 / own.dispersion);
+        let (eta, dispersion) = last.map_or(air, |l| (ratio(l.ior, own.ior), ratio(l.dispersion, own.dispersion)));
         return Crossing { eta, dispersion, samples, interiors: list, leaving: false };
     };
     let is_last = at + 1 == interiors.len();
@@ -77,8 +78,8 @@ fn crossing(interiors: &Interiors, substance: &Substance) -> Crossing {
     if !is_last {
         return Crossing { eta: 1.0, dispersion: 1.0, samples, interiors: list, leaving: true };
     }
-    let (ior, dispersion) = list.last().map_or((1.0, 1.0), |l| (l.ior, l.dispersion));
-    let (eta, dispersion) = (ratio(own.ior, ior), own.dispersion / dispersion);
+    let air = (own.ior, own.dispersion);
+    let (eta, dispersion) = list.last().map_or(air, |l| (ratio(own.ior, l.ior), ratio(own.dispersion, l.dispersion)));
     Crossing { eta, dispersion, samples, interiors: list, leaving: true }
 }
 
