@@ -19,7 +19,7 @@
 //! let job = Job { scene: "ball.pov".into(), ..Job::default() };
 //! let outcome = Session::new(1).render(&job, &Memory::new([("ball.pov", scene)]), &Unobserved).unwrap();
 //! let middle = outcome.picture.pixel(160, 120);
-//! assert!(middle[0] > 0.9 && middle[1] == 0.0);
+//! assert!(middle[0] > 0.5 && middle[1] == 0.0);
 //! ```
 //!
 //! `ARCHITECTURE.md` tells the way of one ray, function by function, and why things are as they are.

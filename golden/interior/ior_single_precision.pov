@@ -1,4 +1,4 @@
-// ior in single precision: cells of 0.0001 that lie 1000 units behind the refracting plane show it.
+// ior and the ratio of two in single precision: the camera is in the sphere, whose cells lie 1000 units behind.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0,-27,0> look_at <0.01,0,0> }

@@ -3,6 +3,7 @@
 mod exr;
 mod layers;
 mod memory;
+mod observer;
 mod region;
 
 use whitted::compile::{self, Queries};

@@ -33,11 +33,6 @@ pub(super) struct RefractiveIndex {
     pub(super) dispersion: f64,
 }
 
-impl RefractiveIndex {
-    /// Outside of everything.
-    const VACUUM: Self = Self { ior: 1.0, dispersion: 1.0 };
-}
-
 /// The objects that a ray is inside of, in the order of entering.
 #[derive(Debug, Default)]
 pub(super) struct Interiors(SmallVec<[Inside; 4]>);
@@ -54,21 +49,31 @@ impl Clone for Interiors {
 pub(super) struct Crossing {
     /// It goes out of the object.
     pub(super) leaving: bool,
-    /// On the side that it comes from.
-    behind: RefractiveIndex,
+    /// On the side that it comes from; none outside of everything.
+    behind: Option<RefractiveIndex>,
     /// On the side that it goes to.
-    ahead: RefractiveIndex,
+    ahead: Option<RefractiveIndex>,
 }
 
 impl Crossing {
     /// Index behind over index ahead.
     pub(super) fn eta(&self) -> f64 {
-        ratio(self.behind.ior, self.ahead.ior)
+        self.ratio(|index| index.ior)
     }
 
     /// The same ratio for dispersion.
     pub(super) fn dispersion(&self) -> f64 {
-        self.behind.dispersion / self.ahead.dispersion
+        self.ratio(|index| index.dispersion)
+    }
+
+    /// Between two objects POV-Ray holds it in single precision, but not where one side is air (measured).
+    fn ratio(&self, of: impl Fn(RefractiveIndex) -> f64) -> f64 {
+        match (self.behind, self.ahead) {
+            (Some(behind), Some(ahead)) => f64::from((of(behind) / of(ahead)) as f32),
+            (Some(behind), None) => of(behind),
+            (None, Some(ahead)) => 1.0 / of(ahead),
+            (None, None) => 1.0,
+        }
     }
 }
 
@@ -92,16 +97,16 @@ impl Interiors {
     ///
     /// Leaving an object that was not entered last bends nothing. Source: section 8.1 of the shading facts (measured).
     pub(super) fn cross(&mut self, object: Inside) -> Crossing {
-        let around = |list: &Self| list.0.last().map_or(RefractiveIndex::VACUUM, |last| last.index);
+        let around = |list: &Self| list.0.last().map(|last| last.index);
         let Some(at) = self.position(&object) else {
             let behind = around(self);
             self.0.push(object);
-            return Crossing { leaving: false, behind, ahead: object.index };
+            return Crossing { leaving: false, behind, ahead: Some(object.index) };
         };
         let was_last = at + 1 == self.0.len();
         self.0.remove(at);
         let ahead = around(self);
-        Crossing { leaving: true, behind: if was_last { object.index } else { ahead }, ahead }
+        Crossing { leaving: true, behind: if was_last { Some(object.index) } else { ahead }, ahead }
     }
 
     /// Index of the far side of an object's surface over that of the near side, for Fresnel's equations.
@@ -112,20 +117,15 @@ impl Interiors {
         let own = object.index.ior;
         let Some(last) = self.0.last() else { return own };
         match self.position(object) {
-            None => ratio(own, last.index.ior),
-            Some(0) if self.0.len() == 1 => ratio(1.0, own),
-            Some(_) => ratio(last.index.ior, own),
+            None => own / last.index.ior,
+            Some(0) if self.0.len() == 1 => 1.0 / own,
+            Some(_) => last.index.ior / own,
         }
     }
 
     fn position(&self, object: &Inside) -> Option<usize> {
         self.0.iter().position(|inside| inside.key == object.key)
     }
-}
-
-/// A ratio of indices, in single precision as in POV-Ray.
-fn ratio(a: f64, b: f64) -> f64 {
-    f64::from((a / b) as f32)
 }
 
 /// What fills the object of a surface; a legacy finish may give it another index.
@@ -150,7 +150,11 @@ mod tests {
 
     fn check(inside: &mut Interiors, object: Inside, leaving: bool, eta: f64, n: usize) {
         let crossing = inside.cross(object);
-        assert_eq!((crossing.leaving, crossing.eta(), inside.0.len()), (leaving, ratio(eta, 1.0), n));
+        assert_eq!((crossing.leaving, crossing.eta(), inside.0.len()), (leaving, eta, n));
+    }
+
+    fn single(ratio: f64) -> f64 {
+        f64::from(ratio as f32)
     }
 
     #[test]
@@ -159,9 +163,9 @@ mod tests {
         let mut inside = Interiors::default();
         assert_eq!(inside.relative_ior(&water), 1.25);
         check(&mut inside, water, false, 1.0 / 1.25, 1);
-        assert_eq!(inside.relative_ior(&glass), ratio(1.2, 1.0));
-        check(&mut inside, glass, false, 1.25 / 1.5, 2);
-        check(&mut inside, glass, true, 1.5 / 1.25, 1);
+        assert_eq!(inside.relative_ior(&glass), 1.2);
+        check(&mut inside, glass, false, single(1.25 / 1.5), 2);
+        check(&mut inside, glass, true, single(1.5 / 1.25), 1);
         check(&mut inside, water, true, 1.25, 0);
     }
 
