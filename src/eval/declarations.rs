@@ -3,6 +3,7 @@
 use super::scope::{Scopes, TableId};
 use super::{Evaluator, Number, Place, Value, colors};
 use crate::diag::{SourceResult, Span, Topic};
+use crate::stack::roomy;
 use crate::syntax::{Keyword, Symbol, TokenKind};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -37,7 +38,7 @@ impl Evaluator<'_> {
         }
         self.take();
         self.deeper()?;
-        let (mut value, needs_semicolon) = self.declared_value()?;
+        let (mut value, needs_semicolon) = roomy(|| self.declared_value())?;
         if let Value::Object(object) = &mut value {
             // The name by which layers know it.
             Arc::make_mut(object).name = Some(Arc::from(&**self.names.word(name)));

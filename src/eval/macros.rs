@@ -5,6 +5,7 @@ use super::declarations::Argument;
 use super::scope::Scopes;
 use super::{Evaluator, Macro, Place, Value};
 use crate::diag::{SourceResult, Span};
+use crate::stack::roomy;
 use crate::syntax::{Position, TokenKind, formula};
 use smallvec::SmallVec;
 use std::cell::OnceCell;
@@ -56,7 +57,7 @@ impl Evaluator<'_> {
         let bare = std::mem::replace(&mut self.bare, false);
         let case_wanted = std::mem::take(&mut self.case_wanted);
         self.deeper()?;
-        let mut arguments = self.macro_arguments(called, span)?;
+        let mut arguments = roomy(|| self.macro_arguments(called, span))?;
         self.nesting = self.nesting.saturating_sub(1);
         self.bare = bare;
         self.case_wanted = case_wanted;

@@ -165,7 +165,7 @@ pub fn evaluate(
     queries: &dyn GeometryQueries,
 ) -> Result<Evaluated, Box<Failed>> {
     /// Address space, of which only what is used costs anything.
-    const STACK: usize = 256 << 20;
+    const STACK: usize = 512 << 20;
     stacker::grow(STACK, || Evaluator::new(options, host, queries).run(path))
 }
 

@@ -9,7 +9,7 @@ use crate::diag::Severity;
 fn read(files: &[(&str, &str)]) -> (Option<String>, String, Vec<String>) {
     let host = Memory::new(files.iter().copied());
     // Endless loops are among the tests.
-    let limits = Limits { steps: 100_000, ..Limits::default() };
+    let limits = Limits { steps: 100_000, ..Limits::strict() };
     let options = Options { limits, ..Options::default() };
     let result = evaluate("main.pov".as_ref(), &options, &host, &NoQueries);
     let (error, diagnostics) = match result {
@@ -570,7 +570,7 @@ fn refuses_bytes(bytes: &[u8], message: &str) {
     use super::Host as _;
     let host = Memory::default();
     assert!(host.append("main.pov".as_ref(), bytes).is_ok());
-    let limits = Limits { steps: 10_000, ..Limits::default() };
+    let limits = Limits { steps: 10_000, ..Limits::strict() };
     let options = Options { limits, ..Options::default() };
     let start: String = String::from_utf8_lossy(&bytes[..bytes.len().min(40)]).into_owned();
     match evaluate("main.pov".as_ref(), &options, &host, &NoQueries) {

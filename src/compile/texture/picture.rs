@@ -209,7 +209,8 @@ mod tests {
             Texture::Layers(mut layers) => layers.pop().unwrap().pigment,
             Texture::Patterned(_) => panic!("no patterned texture was written"),
         };
-        world.textures.into_iter().map(layer).collect()
+        // The texture of objects without one is among them.
+        world.textures.into_iter().map(layer).filter(|p| !matches!(p, Pigment::Solid(_))).collect()
     }
 
     fn raster(pigment: &Pigment) -> &Arc<Raster> {

@@ -5,6 +5,7 @@ use crate::diag::{SourceResult, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{Color, Rgb};
 use crate::scene::{Blend, Density, Interior, Media, Pattern, PatternKind};
+use crate::stack::roomy;
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -224,6 +225,10 @@ impl Evaluator<'_> {
 
     /// The inside of a density, also of a `density_map` entry.
     pub(super) fn density_items(&mut self) -> SourceResult<Density> {
+        roomy(|| self.whole_density())
+    }
+
+    fn whole_density(&mut self) -> SourceResult<Density> {
         let pick = |v: &Value| if let Value::Density(d) = v { Some((**d).clone()) } else { None };
         let mut density = self.take_declared(pick)?.unwrap_or(Density::Solid(Color::rgb(1.0, 1.0, 1.0)));
         while self.density_item(&mut density)? {}

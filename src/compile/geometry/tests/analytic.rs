@@ -203,13 +203,12 @@ fn clips_keep_surfaces_open() {
 }
 
 #[test]
-fn too_deep_is_an_error() {
+fn objects_nest_deeply() {
     let mut o = sphere(DVec3::ZERO, 1.0);
     for _ in 0..1000 {
         o = csg(CsgOperation::Union, [o, sphere(DVec3::X, 1.0)]);
     }
-    let messages = compile_object(&Arc::new(o)).unwrap_err();
-    assert!(messages[0].message.contains("nested"), "{messages:?}");
+    assert!(inside(&o, 0.5 * DVec3::X) && !inside(&o, -2.0 * DVec3::X));
 }
 
 #[test]
