@@ -31,7 +31,7 @@ def ties(text: str, alpha: bool) -> bool:
 KNOWN = [
     ("ties of parts", ties),
     ("gamma: 3.7 implied", lacks_gamma),
-    ("fresnel when leaving a nested object", has(r"fresnel", r"interior")),
+    ("fresnel when leaving a nested object", has(r"fresnel", r"interior \\{")),
     ("blur of orthographic and cylinder cameras", has(r"aperture", r"orthographic|cylinder [34]")),
     ("poly, cubic, quartic: inside", has(r"\b(poly|cubic|quartic)\b", r"difference|intersection|merge")),
     ("fade of a parallel light", has(r"parallel", r"fade_")),
@@ -43,6 +43,8 @@ KNOWN = [
     ("slope in a sky_sphere", has(r"sky_sphere.*slope|sky_sphere[^#]*slope")),
     ("spotlight parallel", has(r"spotlight", r"parallel")),
     ("bicubic_patch clipped", has(r"bicubic_patch", r"clipped_by|intersection|difference|merge")),
+    ("facets no_bump_scale", has(r"facets", r"no_bump_scale")),
+    ("sides of a triangle", has(r"triangle", r"interior_texture")),
     ("media", has(r"\bmedia\b")),
 ]
 
