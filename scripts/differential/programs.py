@@ -96,7 +96,7 @@ def judge(their_code: int | None, their_text: str, our_code: int | None, our_tex
         return Outcome("skipped", f"POV-Ray: {their_code}")
     if our_code is None:
         return Outcome("we hang" if their_code == 0 else "skipped", "took too long")
-    their_error = first(re.sub(r"\n ", " ", their_text), r"(?:Parse|Fatal) Error: .*|Fatal error.*")
+    their_error = first(re.sub(r"\n ", " ", their_text), r"(?<!Possible )(?:Parse|Fatal) Error: .*|Fatal error.*")
     our_error = first(our_text, r"(?:^|\n)(?:error[^\n]*|\S*error:[^\n]*)").strip()
     if their_code != 0 and our_code != 0:
         return Outcome("skipped", f"both refuse: {their_error} | {our_error}")

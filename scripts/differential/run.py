@@ -108,6 +108,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seed", type=int, default=1, help="first seed")
     parser.add_argument("--count", type=int, default=200, help="how many scenes")
+    parser.add_argument("--seeds", help="these seeds instead, separated by commas")
     parser.add_argument("--jobs", type=int, default=6, help="scenes at once; POV-Ray mostly sleeps")
     parser.add_argument("--reducers", type=int, default=3, help="scenes reduced at once")
     parser.add_argument("--area", choices=AREAS, help="the part of the language to look at (default: all in turn)")
@@ -133,8 +134,9 @@ def main() -> None:
                 found = try_text(Path(path).read_text(), run.out / "single", run.setup, alpha)
                 print(f"{path}{' +UA' if alpha else ''}: {found.line()}")
         return
+    seeds = [int(seed) for seed in args.seeds.split(",")] if args.seeds else range(args.seed, args.seed + args.count)
     with ThreadPoolExecutor(args.jobs) as pool:
-        for done in [pool.submit(run.one, seed) for seed in range(args.seed, args.seed + args.count)]:
+        for done in [pool.submit(run.one, seed) for seed in seeds]:
             done.result()
     print(f"{sum(run.counts.values())} scenes: {dict(run.counts)}; {len(run.report.kinds)} kinds reduced; met without reducing again: {dict(run.early)}; see {run.report.folder}/LIST.txt")
 
