@@ -40,6 +40,9 @@ KNOWN = [
     ("sides of a triangle", has(r"triangle", r"interior_texture")),
     ("box of a disc in an intersection", has(r"disc", r"intersection|difference")),
     ("pattern at a border", has(r"gradient y|checker|cells|cubic\b|brick", r"plane \{\s*y, -1\s")),
+    ("f_noise3d below version 3.5", has(r"f_noise3d|pattern \{", r"#version 3\.[01]")),
+    ("dispersion and alpha", lambda text, alpha: alpha and "dispersion" in text),
+    ("opacity of a blob", has(r"blob", r"rgb[ft]+|transmit|filter|layer")),
     ("media", has(r"\bmedia\b")),
 ]
 
