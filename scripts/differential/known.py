@@ -43,6 +43,9 @@ KNOWN = [
     ("f_noise3d below version 3.5", has(r"f_noise3d|pattern \{", r"#version 3\.[01]")),
     ("dispersion and alpha", lambda text, alpha: alpha and "dispersion" in text),
     ("opacity of a blob", has(r"blob", r"rgb[ft]+|transmit|filter|layer")),
+    ("transmit all of a uv-mapped picture", has(r"uv_mapping", r"(transmit|filter) all")),
+    ("premultiplied PPM or PGM", has(r"p[pg]m\"", r"premultiplied on")),
+    ("sine_wave of 1", has(r"sine_wave")),
     ("media", has(r"\bmedia\b")),
 ]
 

@@ -114,7 +114,7 @@ def main() -> None:
     parser.add_argument("--area", choices=AREAS, help="the part of the language to look at (default: all in turn)")
     parser.add_argument("--whitted", default="target/release/whitted")
     parser.add_argument("--out", default="/tmp/differential")
-    parser.add_argument("--limit", type=float, default=8, help="seconds for each program")
+    parser.add_argument("--limit", type=float, default=8, help="seconds of processor time for each program")
     parser.add_argument("--budget", type=int, default=150, help="texts tried for one reduction")
     parser.add_argument("--minutes", type=float, default=0, help="stop after so long")
     parser.add_argument("--chance", action="store_true", help="also what is chance by nature (jitter)")
