@@ -47,6 +47,8 @@ def spline(g):
 
 @production("prelude", "language", 2)
 def macro(g):
+    if g.version == "3.0":
+        return g.make("prelude")
     g.declare("macro", "Mac1")
     return leaf(g.pick("#macro Mac1(A, B) (A+B*0) #end", "#macro Mac1(A, B) #local C = A; (C) #end", "#macro Mac1(A, B) #if (B > .5) A #else A*.9 #end #end", "#macro Mac1(A, B) #local I = 0; #while (I < 3) #local I = I+1; #end (A+I*.01) #end"))
 
@@ -83,6 +85,8 @@ def switched(g):
 
 @production("item", "language", 0.7)
 def object_macro(g):
+    if g.version == "3.0":
+        return g.make("item")
     return group(Node("#macro Put(What, Where, Hue)", [leaf("object { What pigment { Hue } translate Where }", keep=True)], "#end", keep=True),
                  Node(f"Put(", [g.make("object"), leaf(f", {g.vector(-1, 1)}, {g.rgb()})", keep=True)]), leaf(f"Put(box {{ -.3, .3 }}, {g.vector(-1, 1)}, {g.pick('rgb x', 'rgb <.3,1,.5>', 'color rgbt <1,1,0,.3>')})"))
 
@@ -95,8 +99,7 @@ def redeclared(g):
 @production("item", "language", 0.4)
 def traced(g):
     return group(Node("#declare Target =", [g.make("object")], keep=True), need("#declare Norm = <0,0,0>;\n#declare Hit = trace(Target, <.1,.2,-5>, z, Norm);"), leaf("object { Target }"),
-                 need(g.pick("sphere { Hit, .3 pigment { rgb abs(Norm) } }", "#if (vlength(Norm) != 0) cylinder { Hit, Hit+Norm, .1 pigment { rgb x } } #end", "#if (inside(Target, <.2,.1,.3>)) box { 1, 1.5 pigment { rgb y } } #end",
-                             "box { min_extent(Target), max_extent(Target) pigment { rgbt <1,1,0,.6> } }")))
+                 need(g.pick("sphere { Hit, .3 pigment { rgb abs(Norm) } }", "#if (vlength(Norm) != 0) cylinder { Hit, Hit+Norm, .1 pigment { rgb x } } #end",                              "box { min_extent(Target), max_extent(Target) pigment { rgbt <1,1,0,.6> } }")))
 
 
 @production("item", "language", 0.3)
@@ -113,5 +116,5 @@ def numbers_shown(g):
 def old_words(g):
     return leaf(g.pick("composite { sphere { 0, .8 pigment { rgb x } } box { .5, 1 pigment { rgb y } } }", "sphere { 0, 1 texture { pigment { color red 1 green .5 } finish { ambient .2 } } }",
                        "sphere { 0, 1 pigment { color red .5 alpha .4 } }", "sphere { 0, 1 pigment { rgbf .7 } finish { refraction 1 ior 1.4 } }", "box { -1, 1 texture { tiles { texture { pigment { rgb x } } tile2 texture { pigment { rgb y } } } scale .5 } }", "sphere { 0, 1 pigment { marble color_map { [0, .5 color red 1 color blue 1] [.5, 1 color blue 1 color green 1] } } }",
-                       "sphere { 0, 1 pigment { quick_color rgb x gradient y } }", "quadric { <1,1,1>,<0,0,0>,<0,0,0>,-1 pigment { rgb 1 } }", "union { sphere { 0, 1 } bounded_by { sphere { 0, 1.1 } } pigment { rgb z } }", "sphere { 0, 1 pigment { onion turbulence .2 color_map { [0 rgb 0] [1 rgb 1] } } }",
+                       "sphere { 0, 1 pigment { gradient y quick_color rgb x } }", "quadric { <1,1,1>,<0,0,0>,<0,0,0>,-1 pigment { rgb 1 } }", "union { sphere { 0, 1 } bounded_by { sphere { 0, 1.1 } } pigment { rgb z } }", "sphere { 0, 1 pigment { onion turbulence .2 color_map { [0 rgb 0] [1 rgb 1] } } }",
                        "light_source { <2,3,-2> color red 1 spotlight point_at <0,0,0> tightness 5 radius 10 falloff 20 }", "sphere { 0, 1 texture { pigment { rgb 1 } finish { reflection .3 phong 1 phong_size 20 } normal { bumps .4 } } }"))

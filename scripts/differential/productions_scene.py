@@ -145,7 +145,7 @@ def spot_light(g):
 def area_light(g):
     counts = g.pick("1, 4", "3, 3", "2, 2", "5, 1", "4, 3")
     made = [need(f"<2,4,-3>, {g.pick('1', g.rgb())}"), need(f"area_light {g.direction()}, {g.direction()}, {counts}")]
-    made += g.maybe(0.4, f"adaptive {g.integer(0, 3)}", "adaptive") + (g.maybe(0.3, "circular", "circular") if "1" not in counts else []) + g.maybe(0.3, "orient", "orient") + g.maybe(0.25, "area_illumination on", "area_illumination")
+    made += g.maybe(0.4, f"adaptive {g.integer(0, 3)}", "adaptive") + (g.maybe(0.3, "circular", "circular") if "1" not in counts else []) + (g.maybe(0.3, "orient", "orient") if "1" not in counts else []) + g.maybe(0.25, "area_illumination on", "area_illumination")
     made += g.maybe(0.15, "spotlight point_at 0 radius 15 falloff 25") + g.maybe(0.1, "parallel point_at 0", "parallel") + (g.maybe(0.3, "jitter") if g.chance else [])
     return block("light_source", *made, *light_ends(g))
 

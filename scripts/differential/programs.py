@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import signal
 import subprocess
 import threading
 import time
@@ -62,11 +63,17 @@ WORKING = threading.Semaphore(2)
 
 
 def render(command: list[str], folder: Path, limit: float) -> tuple[int | None, str, float]:
-    """Returns exit code (None when it took too long), messages and seconds of a program."""
+    """Returns exit code (None when it took too long), messages and seconds of a program.
+
+    `limit` is processor time, so that a busy machine does not look like a slow program; eight times that is the end.
+    """
     start = time.monotonic()
+    bounded = ["prlimit", f"--cpu={limit:.0f}", "nice", "-n", "10", *command]
     try:
-        done = subprocess.run(["nice", "-n", "10", *command], cwd=folder, capture_output=True, timeout=limit, stdin=subprocess.DEVNULL)
+        done = subprocess.run(bounded, cwd=folder, capture_output=True, timeout=8 * limit, stdin=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:
+        return None, "took too long", limit
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
         return None, "took too long", limit
     return done.returncode, (done.stderr + done.stdout).decode(errors="replace"), time.monotonic() - start
 
@@ -96,7 +103,7 @@ def judge(their_code: int | None, their_text: str, our_code: int | None, our_tex
         return Outcome("skipped", f"POV-Ray: {their_code}")
     if our_code is None:
         return Outcome("we hang" if their_code == 0 else "skipped", "took too long")
-    their_error = first(re.sub(r"\n ", " ", their_text), r"(?:Parse|Fatal) Error: .*|Fatal error.*")
+    their_error = first(re.sub(r"\n ", " ", their_text), r"(?<!Possible )(?:Parse|Fatal) Error: .*|Fatal error.*")
     our_error = first(our_text, r"(?:^|\n)(?:error[^\n]*|\S*error:[^\n]*)").strip()
     if their_code != 0 and our_code != 0:
         return Outcome("skipped", f"both refuse: {their_error} | {our_error}")

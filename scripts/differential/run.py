@@ -108,12 +108,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seed", type=int, default=1, help="first seed")
     parser.add_argument("--count", type=int, default=200, help="how many scenes")
+    parser.add_argument("--seeds", help="these seeds instead, separated by commas")
     parser.add_argument("--jobs", type=int, default=6, help="scenes at once; POV-Ray mostly sleeps")
     parser.add_argument("--reducers", type=int, default=3, help="scenes reduced at once")
     parser.add_argument("--area", choices=AREAS, help="the part of the language to look at (default: all in turn)")
     parser.add_argument("--whitted", default="target/release/whitted")
     parser.add_argument("--out", default="/tmp/differential")
-    parser.add_argument("--limit", type=float, default=8, help="seconds for each program")
+    parser.add_argument("--limit", type=float, default=8, help="seconds of processor time for each program")
     parser.add_argument("--budget", type=int, default=150, help="texts tried for one reduction")
     parser.add_argument("--minutes", type=float, default=0, help="stop after so long")
     parser.add_argument("--chance", action="store_true", help="also what is chance by nature (jitter)")
@@ -133,8 +134,9 @@ def main() -> None:
                 found = try_text(Path(path).read_text(), run.out / "single", run.setup, alpha)
                 print(f"{path}{' +UA' if alpha else ''}: {found.line()}")
         return
+    seeds = [int(seed) for seed in args.seeds.split(",")] if args.seeds else range(args.seed, args.seed + args.count)
     with ThreadPoolExecutor(args.jobs) as pool:
-        for done in [pool.submit(run.one, seed) for seed in range(args.seed, args.seed + args.count)]:
+        for done in [pool.submit(run.one, seed) for seed in seeds]:
             done.result()
     print(f"{sum(run.counts.values())} scenes: {dict(run.counts)}; {len(run.report.kinds)} kinds reduced; met without reducing again: {dict(run.early)}; see {run.report.folder}/LIST.txt")
 
