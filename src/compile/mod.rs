@@ -8,5 +8,6 @@ mod queries;
 pub mod texture;
 mod world;
 
+pub use picture::Pictures;
 pub use queries::Queries;
-pub use world::{Compiled, compile};
+pub use world::{Compiled, compile, compile_sharing};

@@ -7,9 +7,10 @@ use crate::scene::Working;
 use rustc_hash::FxHashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Rasters that were needed so far, in the working spaces that were asked for; copies of this share them.
+/// Rasters that were needed so far, in the working spaces that were asked for; copies of this share them, and so may
+/// scenes that come one after the other.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Pictures(Arc<Mutex<Known>>);
+pub struct Pictures(Arc<Mutex<Known>>);
 
 /// By the address of what they were made from, which is kept so that its address stays its own.
 type Known = FxHashMap<usize, Vec<Finished>>;
@@ -19,6 +20,8 @@ type Known = FxHashMap<usize, Vec<Finished>>;
 struct Finished {
     made: Making,
     raster: Arc<Raster>,
+    /// By the scene that is compiled now.
+    is_used: bool,
 }
 
 /// All that decides what a raster looks like.
@@ -59,16 +62,26 @@ impl Pictures {
     /// The raster that was made so before, or is made now.
     pub(super) fn raster(&self, made: Making, make: impl FnOnce(&Making) -> Raster) -> Arc<Raster> {
         let address = made.address();
-        let find = |known: &Known| {
-            let same = known.get(&address)?.iter().find(|finished| finished.made.is_like(&made))?;
+        let find = |known: &mut Known| {
+            let same = known.get_mut(&address)?.iter_mut().find(|finished| finished.made.is_like(&made))?;
+            same.is_used = true;
             Some(Arc::clone(&same.raster))
         };
-        if let Some(raster) = find(&self.known()) {
+        if let Some(raster) = find(&mut self.known()) {
             return raster;
         }
         let raster = Arc::new(make(&made));
-        self.known().entry(address).or_default().push(Finished { made, raster: Arc::clone(&raster) });
+        let finished = Finished { made, raster: Arc::clone(&raster), is_used: true };
+        self.known().entry(address).or_default().push(finished);
         raster
+    }
+
+    /// Another scene begins: what the last one did not need is dropped.
+    pub fn begin_scene(&self) {
+        self.known().retain(|_, finished| {
+            finished.retain_mut(|finished| std::mem::take(&mut finished.is_used));
+            !finished.is_empty()
+        });
     }
 }
 

@@ -32,6 +32,11 @@ struct Known {
 }
 
 impl Queries {
+    /// With the pictures of other scenes.
+    pub fn sharing(pictures: &Pictures) -> Self {
+        Self { pictures: pictures.clone(), ..Self::default() }
+    }
+
     /// Objects that cannot be compiled count as empty here; the scene's own compilation says why.
     fn geometry(&self, object: &Arc<Object>) -> Arc<Geometry> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);

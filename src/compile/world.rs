@@ -1,6 +1,7 @@
 //! The whole scene: geometry first, then everything that its indices refer to.
 
 use super::geometry::{CompiledGeometry, PlacedLight, Watched};
+use super::picture::Pictures;
 use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
@@ -36,10 +37,18 @@ pub struct Compiled {
 /// # Errors
 /// Everything that is unsupported or wrong, each with its place where one is known.
 pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
+    compile_sharing(scene, &Pictures::default())
+}
+
+/// The same, with the pictures of other scenes.
+///
+/// # Errors
+/// Those of [`compile`].
+pub fn compile_sharing(scene: &Scene, pictures: &Pictures) -> SourceResult<Compiled> {
     let CompiledGeometry { geometry, textures, interiors, lights, light_groups, labels, mut warnings, watched } =
         super::geometry::compile(scene)?;
     let mut errors = Vec::new();
-    let mut compiler = TextureCompiler::new(&scene.settings);
+    let mut compiler = TextureCompiler::sharing(&scene.settings, pictures);
     let textures: Vec<_> = textures
         .iter()
         .filter_map(|t| {

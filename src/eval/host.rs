@@ -1,6 +1,7 @@
 //! What lies outside of the evaluator: files and the terminal.
 
 use crate::function::Callable;
+use crate::imaging::Encoded;
 use crate::math::{Bounds, DVec3, Ray};
 use crate::scene::{GeometryQueries, Object, Pattern, Pigment, Settings};
 use std::collections::BTreeMap;
@@ -28,6 +29,10 @@ pub trait Host {
     /// # Errors
     /// When it cannot be written.
     fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<Kept>;
+    /// A picture that was [read](Self::read), or the same one as it was read before: then it is decoded already.
+    fn picture(&self, file: Encoded) -> Arc<Encoded> {
+        Arc::new(file)
+    }
     /// A text of `#debug`, `#render` or `#statistics`.
     fn message(&self, stream: Stream, text: &str);
     /// Asked for now and then while a scene runs: `what` says what it is at.

@@ -72,6 +72,11 @@ impl Encoded {
         Self { path, kind, bytes, pixels: OnceLock::new() }
     }
 
+    /// Whether two files are the same, decoded or not.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.path == other.path && self.kind == other.kind && self.bytes == other.bytes
+    }
+
     /// What errors call it.
     pub fn path(&self) -> &Path {
         &self.path

@@ -3,6 +3,7 @@
 //! A [`Job`] holds everything that a picture depends on. A [`Session`] owns what several jobs share, its threads first
 //! of all, and takes them through the stages: read, compile, render, write.
 
+mod library;
 mod outcome;
 mod session;
 mod settings;

@@ -1,5 +1,6 @@
 //! What several pictures share, and the way of each through the stages.
 
+use super::library::{Library, Remembering};
 use super::{Job, Outcome, Output, Ready, Timings};
 use crate::compile::geometry::Watched;
 use crate::compile::{self, Compiled, Queries};
@@ -20,12 +21,15 @@ const STACK: usize = 64 << 20;
 pub struct Session {
     /// None where the system gives no threads: then the common ones must do.
     pool: Option<ThreadPool>,
+    /// Pictures that the last scene showed.
+    library: Library,
 }
 
 impl Session {
     /// With so many threads; 0 for one for each core.
     pub fn new(threads: usize) -> Self {
-        Self { pool: rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build().ok() }
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build().ok();
+        Self { pool, library: Library::default() }
     }
 
     /// From a scene file to a world: all that can go wrong with a scene goes wrong here.
@@ -35,11 +39,14 @@ impl Session {
     /// [restored](crate::diag::SourceMap::restored)).
     pub fn compile(&self, scene: &Path, reading: &eval::Options, host: &dyn Host) -> Result<Ready, Box<Failed>> {
         let mut timings = Timings::default();
+        self.library.begin_scene();
+        let pictures = &self.library.pictures;
+        let host = Remembering { host, library: &self.library };
         // On this thread, whose heap grows in large pages.
-        let read = timings.time("read", || eval::evaluate(scene, reading, host, &Queries::default()));
+        let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(pictures)));
         let Evaluated { scene: description, mut warnings, mut sources } = read?;
         sources.release_large();
-        match timings.time("compile", || self.on_all_threads(|| compile::compile(&description))) {
+        match timings.time("compile", || self.on_all_threads(|| compile::compile_sharing(&description, pictures))) {
             Ok(Compiled { world, warnings: more, watched }) => {
                 warnings.extend(more);
                 Ok(Ready { world, watched, warnings, sources, timings })

@@ -124,7 +124,7 @@ impl Evaluator<'_> {
             return Ok(Arc::clone(known));
         }
         let bytes = self.bytes_of(&key.0, span)?;
-        let file = Arc::new(Encoded::new(key.0.clone(), format.decoder(), bytes));
+        let file = self.host.picture(Encoded::new(key.0.clone(), format.decoder(), bytes));
         self.pictures.insert(key, Arc::clone(&file));
         Ok(file)
     }
