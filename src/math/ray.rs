@@ -39,6 +39,8 @@ pub struct Range {
 impl Range {
     /// Everything in front of the origin.
     pub const FORWARD: Self = Self { min: 0.0, max: f64::INFINITY };
+    /// The whole line.
+    pub const LINE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
     /// Nothing at all.
     pub const EMPTY: Self = Self { min: f64::INFINITY, max: f64::NEG_INFINITY };
 

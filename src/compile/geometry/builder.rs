@@ -192,6 +192,10 @@ impl<'a> Builder<'a> {
             return;
         }
         let screen = padded(around.group_from_parent.bounds(&super::extent::extent(object)));
+        let screen = match nodes[root as usize].kind {
+            NodeKind::Primitive(p) => within(&primitives[p as usize], &screen, true),
+            NodeKind::Csg { .. } => screen,
+        };
         if !screen.is_finite() {
             return;
         }

@@ -34,8 +34,30 @@ pub struct Scratch {
     /// For each light, what last stood in its way: neighbouring points often share it. Finding it
     /// again first saves the way through the hierarchy.
     pub(super) blockers: Vec<Option<Item>>,
+    /// Stretches of the ray that lie inside of parts of merges.
+    covers: Vec<Cover>,
     /// A node and the position of its child that last removed a crossing of another.
     remover: (u32, usize),
+}
+
+/// A stretch of a ray on which a part of a merge hides the others.
+#[derive(Clone, Copy, Debug)]
+struct Cover {
+    merge: u32,
+    /// The child of the merge.
+    node: u32,
+    low: f64,
+    high: f64,
+}
+
+impl Cover {
+    /// The ends of a stretch are left to inside tests: this part of its largest parameter is far beyond their rounding.
+    const MARGIN: f64 = 1e-9;
+
+    fn new(merge: u32, node: u32, (a, b): (f64, f64)) -> Self {
+        let margin = Self::MARGIN * a.abs().max(b.abs());
+        Self { merge, node, low: a.min(b) + margin, high: a.max(b) - margin }
+    }
 }
 
 /// A search for the nearest crossing of a solid that survives.
@@ -103,22 +125,49 @@ impl Search<'_> {
     /// Looks through the crossings of one primitive.
     fn primitive(&mut self, node: u32, index: u32, range: Range) {
         let primitive = &self.geometry.primitives[index as usize];
+        // A part that hides what is inside of it is worth knowing from end to end.
+        let merge = self.merge_hidden_by(node).filter(|_| primitive.shape.is_convex() && !primitive.inverse);
+        let sought = if merge.is_some() { Range::LINE } else { range };
         let hits = &mut self.scratch.hits;
         hits.clear();
         match &primitive.group_from_local {
-            Some(place) => primitive.shape.crossings(&place.inverse_ray(self.ray.ray), range, hits),
-            None => primitive.shape.crossings(self.ray.ray, range, hits),
+            Some(place) => primitive.shape.crossings(&place.inverse_ray(self.ray.ray), sought, hits),
+            None => primitive.shape.crossings(self.ray.ray, sought, hits),
+        }
+        if let Some(merge) = merge
+            && let [a, b] = hits[..]
+        {
+            self.scratch.covers.push(Cover::new(merge, node, (a.t, b.t)));
         }
         for rank in 0..self.scratch.hits.len() {
             let hit = self.scratch.hits[rank];
+            if !range.contains(hit.t) {
+                continue;
+            }
             let crossing = Crossing { t: hit.t, primitive: index, part: hit.part, node, rank: rank as u32 };
             let is_nearer = self.best.is_none_or(|best| {
                 crossing.t < best.t || crossing.t == best.t && self.geometry.counts_before(&crossing, &best)
             });
-            if is_nearer && self.survives(&crossing) {
+            if is_nearer && !self.is_covered(&crossing) && self.survives(&crossing) {
                 self.best = Some(crossing);
             }
         }
+    }
+
+    /// The merge whose other children a node hides wherever it is solid.
+    fn merge_hidden_by(&self, node: u32) -> Option<u32> {
+        let nodes = &self.geometry.nodes;
+        let node = &nodes[node as usize];
+        let around = node.around.filter(|_| node.clips.is_empty())?.node;
+        let is_merge = |n: &Node| matches!(&n.kind, NodeKind::Csg { operation: Operation::Merge, .. });
+        is_merge(&nodes[around as usize]).then_some(around)
+    }
+
+    /// Whether another part of the same merge is known to hide a crossing.
+    fn is_covered(&self, crossing: &Crossing) -> bool {
+        let Some(around) = self.geometry.nodes[crossing.node as usize].around else { return false };
+        let t = crossing.t;
+        self.scratch.covers.iter().any(|c| c.merge == around.node && c.node != crossing.node && c.low < t && t < c.high)
     }
 
     /// Whether a crossing is left by everything around its primitive.
@@ -192,6 +241,7 @@ impl Geometry {
         any: bool,
         scratch: &mut Scratch,
     ) -> Option<Crossing> {
+        scratch.covers.clear();
         let mut search = Search { geometry: self, ray: &SlabRay::new(ray), kind, any, best: None, scratch };
         // What a file says about bounds is about whole objects.
         search.node(root, range, true);

@@ -93,6 +93,10 @@ impl Primitive for Cone {
         }
     }
 
+    fn is_convex(&self) -> bool {
+        !self.open && self.low() >= 0.0
+    }
+
     fn contains(&self, p: DVec3) -> bool {
         let slack = if self.open { INSIDE_SLACK } else { -INSIDE_SLACK };
         p.truncate().length_squared() <= self.radius_squared(p.z) * (1.0 + slack)

@@ -116,6 +116,10 @@ impl Primitive for Cuboid {
         range.contains(hit.t).then_some(hit)
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn is_quick(&self) -> bool {
         true
     }

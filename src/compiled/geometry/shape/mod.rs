@@ -130,6 +130,11 @@ pub(crate) trait Primitive {
         false
     }
 
+    /// Whether all points between two crossings of a line are inside.
+    fn is_convex(&self) -> bool {
+        false
+    }
+
     /// Whether there is any crossing.
     fn occluded(&self, ray: &Ray, range: Range) -> bool {
         self.intersect(ray, range).is_some()
@@ -173,6 +178,9 @@ macro_rules! shapes {
             }
             fn is_quick(&self) -> bool {
                 match self { $(Self::$name(s) => s.is_quick(),)* }
+            }
+            fn is_convex(&self) -> bool {
+                match self { $(Self::$name(s) => s.is_convex(),)* }
             }
         }
     };
@@ -234,6 +242,9 @@ impl<P: Primitive> Primitive for Box<P> {
     }
     fn is_quick(&self) -> bool {
         (**self).is_quick()
+    }
+    fn is_convex(&self) -> bool {
+        (**self).is_convex()
     }
 }
 

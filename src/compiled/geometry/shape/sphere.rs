@@ -79,6 +79,10 @@ impl Primitive for Sphere {
         true
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn is_quick(&self) -> bool {
         true
     }
