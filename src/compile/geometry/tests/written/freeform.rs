@@ -222,8 +222,8 @@ fn sphere_sweeps() {
             "#declare N = <0, 0, 0>; #declare O = {flat} #declare P = trace(O, {from}, z, N);
             #debug str(P.z, 0, 12) #debug \" \" #debug vstr(3, N, \" \", 0, 12)"
         );
-        // POV-Ray knows the sphere from a double root.
-        prints(&text, &expected, 2e-8);
+        // POV-Ray knows the sphere from a double root: to half the digits.
+        prints(&text, &expected, 1e-7);
     }
     // Two crossings of every ray: from the one it leaves, a ray meets nothing.
     for (x, y) in [(0.3, 0.2), (-0.9, 0.35), (0.0, 1.05), (1.4, -0.1), (0.62, -0.3), (-0.31, 0.47), (0.999, 0.013)] {
