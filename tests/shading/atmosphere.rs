@@ -47,6 +47,15 @@ fn alpha_shows_the_backdrop() {
 }
 
 #[test]
+fn dispersed_light_hides_the_backdrop() {
+    let alpha = |interior: &str| {
+        let scene = format!("{CZ} sphere {{ 0, 1 pigment {{ rgbt 1 }} interior {{ {interior} }} }}");
+        pixel(&scene, &Options { alpha: true, ..single() })[3]
+    };
+    assert_eq!([alpha("ior 1.3"), alpha("ior 1.3 dispersion 1.1")], [0.0, 1.0]);
+}
+
+#[test]
 fn fog_weakens_lights_that_say_so() {
     let fog = "fog{distance 10 rgb <0,0,1>}";
     let lit = |more: &str, light: &str, expected: f32| {

@@ -149,8 +149,9 @@ impl Refraction {
         }
         let factor = self.attenuation * boundary.filter;
         let share = 1.0 / self.n_rays() as f32;
-        // The backdrop shows through by the same factors, as greys.
-        let backdrop = gray(factor).abs().min(gray(boundary.filter).abs()).min(1.0);
+        // The backdrop shows through by the same factors, as greys; not through what disperses, as in POV-Ray.
+        let shows = if matches!(self.bend, Bend::Dispersed(_)) { 0.0 } else { 1.0 };
+        let backdrop = shows * gray(factor).abs().min(gray(boundary.filter).abs()).min(1.0);
         Radiance { rgb: factor * (share * sum.rgb), transparency: backdrop * (share * sum.transparency) }
     }
 }
