@@ -54,7 +54,7 @@ pub(super) struct Arguments {
     #[arg(long, value_parser = region, value_name = "X0,Y0,X1,Y1")]
     region: Option<Region>,
     /// Write layers into the EXR file: all, or a list of Z, P, N, Ng, albedo, emission, direct, reflection,
-    /// refraction, background, atmosphere, samples, CryptoObject and CryptoMaterial
+    /// refraction, background, atmosphere, samples, variance, CryptoObject and CryptoMaterial
     #[arg(long, value_parser = layers, value_name = "LIST")]
     layers: Option<Layers>,
     /// Say how long each stage took

@@ -28,6 +28,8 @@ pub enum ImageLayer {
     Atmosphere,
     /// Camera rays sent for the pixel.
     Samples,
+    /// Mean square distance of the samples from their mean, in working values.
+    Variance,
     /// Shares of objects, as Cryptomatte.
     CryptoObject,
     /// Shares of textures, as Cryptomatte.
@@ -36,7 +38,7 @@ pub enum ImageLayer {
 
 impl ImageLayer {
     /// All layers, in the order in which they are documented.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
@@ -49,6 +51,7 @@ impl ImageLayer {
         Self::Background,
         Self::Atmosphere,
         Self::Samples,
+        Self::Variance,
         Self::CryptoObject,
         Self::CryptoMaterial,
     ];
@@ -68,6 +71,7 @@ impl ImageLayer {
             Self::Background => "background",
             Self::Atmosphere => "atmosphere",
             Self::Samples => "samples",
+            Self::Variance => "variance",
             Self::CryptoObject => "CryptoObject",
             Self::CryptoMaterial => "CryptoMaterial",
         }

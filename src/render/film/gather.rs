@@ -96,6 +96,8 @@ pub(in crate::render) struct Detail {
     geometric_normal: DVec3,
     albedo: Rgb,
     samples: u32,
+    /// Mean of the squares of the samples.
+    squares: Rgb,
     /// By index of object and texture.
     objects: Coverage,
     materials: Coverage,
@@ -141,6 +143,11 @@ impl Detail {
         self.samples
     }
 
+    /// How far the samples are from their mean: the mean square of their distance, in working values.
+    pub(in crate::render) fn variance(&self) -> Rgb {
+        (self.squares - self.light.rgb * self.light.rgb).max(Rgb::ZERO)
+    }
+
     /// Shares of frame-level objects.
     pub(in crate::render) fn objects(&self) -> &Coverage {
         &self.objects
@@ -160,6 +167,7 @@ impl Mix for Detail {
         self.geometric_normal += f64::from(weight) * other.geometric_normal;
         self.albedo += weight * other.albedo;
         self.samples += other.samples;
+        self.squares += weight * other.squares;
         self.objects.add_scaled(&other.objects, weight);
         self.materials.add_scaled(&other.materials, weight);
         let nearer = |n: &Nearest| other.nearest.is_none_or(|o| n.length <= o.length);
@@ -172,6 +180,7 @@ impl Mix for Detail {
         self.normal *= f64::from(weight);
         self.geometric_normal *= f64::from(weight);
         self.albedo *= weight;
+        self.squares *= weight;
         self.objects.scale(weight);
         self.materials.scale(weight);
         self
@@ -217,7 +226,8 @@ impl Gather for Detail {
     }
 
     fn note_sample(&mut self) {
-        self.samples += 1;
+        self.samples = 1;
+        self.squares = self.light.rgb * self.light.rgb;
     }
 
     fn count(&mut self, n: u32) {
@@ -262,6 +272,11 @@ mod tests {
         check(&mean, 2.0, &[(4, 0.5), (3, 0.25)], 3);
         mean.pass(&Airlight { transmittance: Rgb::splat(0.5), radiance: Rgb::X, transparency: 0.5 });
         check(&mean, 2.0, &[(4, 0.5), (3, 0.25)], 3);
+        // Of light and darkness in equal shares both are half of the light off.
+        let dark = Detail::default();
+        let mut mixed = sample(1.0, 1).scaled(0.5);
+        mixed.add_scaled(&dark, 0.5);
+        assert_eq!(mixed.variance(), 0.25 * sample(1.0, 1).light().rgb * sample(1.0, 1).light().rgb);
         let parts = [sample(1.0, 1), sample(1.0, 1)];
         mean.recount(parts.iter());
         assert_eq!(mean.samples(), 2);

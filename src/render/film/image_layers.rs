@@ -28,6 +28,7 @@ impl ImageLayer {
             Self::Normal => self.vectors(pixels, Detail::normal),
             Self::GeometricNormal => self.vectors(pixels, Detail::geometric_normal),
             Self::Albedo => self.colors(pixels, |p| p.albedo().to_array().map(|v| world.settings.transfer.linear(v))),
+            Self::Variance => self.colors(pixels, |p| p.variance().to_array()),
             Self::Emission => term(Term::Emission),
             Self::Direct => term(Term::Direct),
             Self::Reflection => term(Term::Reflection),
