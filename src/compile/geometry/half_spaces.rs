@@ -147,8 +147,8 @@ impl Basis {
         let corner = inverse.transpose() * DVec3::from(self.members.map(|h| h.distance));
         let cut = |h: &HalfSpace| h.normal.dot(corner) - h.distance;
         let entering = half_spaces.iter().max_by(|a, b| cut(a).total_cmp(&cut(b)))?;
-        // Also ends the search for NaN.
-        if !(cut(entering) > NOTHING * scale) {
+        let most = cut(entering);
+        if most.is_nan() || most <= NOTHING * scale {
             return None;
         }
         let (weights, shares) = (inverse * direction, inverse * entering.normal);
