@@ -6,11 +6,11 @@
 //!
 //! Read from the bottom of this list upwards, each module knows those below it:
 //!
-//! - [`picture`]: blocks on all cores; [`antialias`]: which positions are looked at; [`sensor`]: the rays through one;
-//! - [`transport`]: the recursion; [`light`]: what arrives at a vertex from light sources; [`shade`]: layers as values;
-//! - [`film`]: what is kept of light; [`worker`], [`prepare`]: what a thread owns, what all share;
-//! - [`medium`], [`environment`]: what a ray passes, what it sees at the end; [`camera`]; [`vertex`], [`path`];
-//! - [`enough`], [`random`], [`jitter`], [`radiance`], [`statistics`], [`observer`], [`options`].
+//! - `picture`: blocks on all cores; `antialias`: which positions are looked at; `sensor`: the rays through one;
+//! - `transport`: the recursion; `light`: what arrives at a vertex from light sources; `shade`: layers as values;
+//! - `film`: what is kept of light; `worker`, `prepare`: what a thread owns, what all share;
+//! - `medium`, `environment`: what a ray passes, what it sees at the end; `camera`; `vertex`, `path`;
+//! - `enough`, `random`, `jitter`, `radiance`, `statistics`, `observer`, `options`.
 
 mod antialias;
 mod camera;
