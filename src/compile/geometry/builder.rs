@@ -5,8 +5,8 @@
 
 use super::census::{Census, Entry};
 use super::height_field::GridKey;
+use super::inherit::{Context, TextureParts, last_hollow};
 use super::labels::Labeler;
-use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
 use super::quadric_reach::within;
 use super::room::{extent, gap};
@@ -65,7 +65,7 @@ impl<'a> Builder<'a> {
     pub(super) fn new(census: &'a Census, n_objects: usize) -> Self {
         let geometry = Geometry {
             primitives: Vec::with_capacity(n_objects),
-            looks: Vec::with_capacity(n_objects),
+            appearances: Vec::with_capacity(n_objects),
             hollow: Vec::with_capacity(n_objects),
             ..Geometry::default()
         };
@@ -204,7 +204,7 @@ impl<'a> Builder<'a> {
             group_from_local: None,
             inverse: false,
             uv_from_group: None,
-            look: nodes[root as usize].look,
+            appearance: nodes[root as usize].appearance,
         });
         let kind = NodeKind::Primitive(primitives.len() as u32 - 1);
         nodes.push(Node { kind, bounds: screen, extent: screen, ..Node::placeholder() });
@@ -256,11 +256,11 @@ impl<'a> Builder<'a> {
         }
         *height = (*height).max(shared.height);
         let id = self.labeler.object_id();
-        let look = self.add_look(inside.look(id));
+        let appearance = self.add_appearance(inside.appearance(id));
         let parent_from_group = inside.group_from_parent;
         let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group as usize].bounds));
         let index = self.geometry.instances.len() as u32;
-        self.geometry.instances.push(Instance { group: shared.group, parent_from_group, look });
+        self.geometry.instances.push(Instance { group: shared.group, parent_from_group, appearance });
         if !inside.skips().skips_all() {
             items.push(Item { kind: ItemKind::Instance(index), skips: inside.skips() }, &bounds);
         }
@@ -302,19 +302,19 @@ impl<'a> Builder<'a> {
                 if is_root && self.cuts_away(object, &inside) {
                     inside.cutaway_root = Some(index as u32);
                 }
-                node.look = self.add_look(Context { cutaway_root: None, ..inside.clone() }.look(id));
+                node.appearance = self.add_appearance(Context { cutaway_root: None, ..inside.clone() }.appearance(id));
                 self.combine(*operation, children, &inside, id, &mut node);
             }
             Shape::LightGroup { children, .. } => {
                 inside.light_group = Some(crate::compiled::geometry::LightGroupId(self.n_light_groups));
                 self.n_light_groups += 1;
-                node.look = self.add_look(inside.look(id));
+                node.appearance = self.add_appearance(inside.appearance(id));
                 self.combine(CsgOperation::Union, children, &inside, id, &mut node);
             }
             _ => {
                 let primitive = self.primitive(object, &inside, id)?;
                 let compiled = &self.geometry.primitives[primitive as usize];
-                node.look = compiled.look;
+                node.appearance = compiled.appearance;
                 node.bounds = compiled.bounds();
                 node.extent = extent(compiled);
                 node.gap = gap(compiled);
@@ -451,13 +451,13 @@ impl<'a> Builder<'a> {
             Some(converted) => converted?,
             None => fold(&object.shape, inside.group_from_parent, &mut inverse)?,
         };
-        let look = self.add_look(inside.look(id));
+        let appearance = self.add_appearance(inside.appearance(id));
         self.geometry.primitives.push(Primitive {
             shape: folded.shape,
             group_from_local: folded.group_from_local.map(Box::new),
             inverse,
             uv_from_group: folded.uv_from_group.map(Box::new),
-            look,
+            appearance,
         });
         Some(self.geometry.primitives.len() as u32 - 1)
     }

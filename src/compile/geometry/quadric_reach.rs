@@ -134,7 +134,7 @@ mod tests {
             group_from_local: Some(Box::new(place)),
             inverse: false,
             uv_from_group: None,
-            look: 0,
+            appearance: 0,
         };
         let around = Bounds { min: around[0].into(), max: around[1].into() };
         let found = within(&primitive, &around, surface_only);

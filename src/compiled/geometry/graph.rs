@@ -124,7 +124,7 @@ pub(crate) struct Instance {
     pub(crate) group: u32,
     pub(crate) parent_from_group: Transform,
     /// What the contents inherit.
-    pub(crate) look: u32,
+    pub(crate) appearance: u32,
 }
 
 /// A shape in its place.
@@ -138,7 +138,7 @@ pub(crate) struct Primitive {
     /// Takes points to the space in which the shape's own uv coordinates are defined, where
     /// folding a transform into the shape changed that.
     pub(crate) uv_from_group: Option<Box<Transform>>,
-    pub(crate) look: u32,
+    pub(crate) appearance: u32,
 }
 
 impl Primitive {
@@ -207,7 +207,7 @@ pub(crate) struct Node {
     pub(crate) bounded_by: Box<[u32]>,
     pub(crate) skips: Skips,
     /// Of the solid itself, at its root.
-    pub(crate) look: u32,
+    pub(crate) appearance: u32,
     /// The node that this is a child of; `None` for roots, clips and bounds.
     pub(crate) around: Option<Place>,
     /// Crossings are taken in reverse order an odd number of times on their way from here to the root.
@@ -245,7 +245,7 @@ impl Node {
             clips: Box::default(),
             bounded_by: Box::default(),
             skips: Skips::default(),
-            look: 0,
+            appearance: 0,
             around: None,
             is_reversed: false,
         }
@@ -260,9 +260,9 @@ pub(crate) struct Placement {
     pub(crate) texture_from_group: Option<Box<Transform>>,
 }
 
-/// What an object says about its looks; `None` is left to what contains it.
+/// How an object appears, as far as it says; `None` is left to what contains it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Look {
+pub(crate) struct Appearance {
     /// Index of a placement.
     pub(crate) texture: Option<u32>,
     /// Index of a placement.

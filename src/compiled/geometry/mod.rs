@@ -29,8 +29,8 @@ pub use solid::Scratch;
 
 // What `compile` fills in.
 pub(crate) use graph::{
-    Group, Instance, Item, ItemKind, Look, Members, Node, NodeKind, Operation, Place, Placement, Primitive, Skips,
-    padded,
+    Appearance, Group, Instance, Item, ItemKind, Members, Node, NodeKind, Operation, Place, Placement, Primitive,
+    Skips, padded,
 };
 pub(crate) use parts::Parts;
 pub(crate) use shape::{
@@ -48,7 +48,7 @@ use walk::{Blocking, Nearest, Walk};
 /// All objects of a scene, or of one object that is asked about.
 ///
 /// Every index in its lists is in range, instances nest at most [`MAX_INSTANCE_DEPTH`] deep, and
-/// a primitive reached through no instance has looks without gaps: `compile` sees to that.
+/// a primitive reached through no instance has an appearance without gaps: `compile` sees to that.
 #[derive(Debug, Default)]
 pub struct Geometry {
     /// What every ray enters.
@@ -57,7 +57,7 @@ pub struct Geometry {
     pub(crate) instances: Vec<Instance>,
     pub(crate) nodes: Vec<Node>,
     pub(crate) primitives: Vec<Primitive>,
-    pub(crate) looks: Vec<Look>,
+    pub(crate) appearances: Vec<Appearance>,
     pub(crate) placements: Vec<Placement>,
     /// By interior.
     pub(crate) hollow: Vec<bool>,

@@ -1,20 +1,20 @@
 //! From a hit to everything about the place, for the winner alone.
 
 use super::Geometry;
-use super::graph::{Look, NodeKind, Operation, Primitive};
+use super::graph::{Appearance, NodeKind, Operation, Primitive};
 use super::record::{Hit, InteriorKey, ObjectId, Path, Surface, TextureId, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
 use std::borrow::Cow;
 
-/// Looks gathered on the way from a primitive to the world.
+/// The appearance gathered on the way from a primitive to the world.
 struct Inherited<'a> {
-    look: Cow<'a, Look>,
+    appearance: Cow<'a, Appearance>,
     depths: Depths,
 }
 
-/// Where each part of some looks was found: the number of instances around the object that gave it.
+/// Where each part of an appearance was found: the number of instances around the object that gave it.
 #[derive(Clone, Copy)]
 struct Depths {
     texture: u8,
@@ -22,24 +22,24 @@ struct Depths {
     interior: u8,
 }
 
-/// Takes from what contains it what some looks lack (shape facts, section 12.2).
-fn inherit(look: &mut Look, depths: &mut Depths, outer: &Look, depth: u8) {
+/// Takes from what contains it what an appearance lacks (shape facts, section 12.2).
+fn inherit(appearance: &mut Appearance, depths: &mut Depths, outer: &Appearance, depth: u8) {
     // The odd rule of POV-Ray: one of the two missing is enough.
-    if outer.uv_mapping && (look.texture.is_none() || look.interior_texture.is_none()) {
-        look.uv_mapping = true;
+    if outer.uv_mapping && (appearance.texture.is_none() || appearance.interior_texture.is_none()) {
+        appearance.uv_mapping = true;
     }
-    if look.texture.is_none() && outer.texture.is_some() {
-        (look.texture, depths.texture) = (outer.texture, depth);
+    if appearance.texture.is_none() && outer.texture.is_some() {
+        (appearance.texture, depths.texture) = (outer.texture, depth);
     }
-    if look.interior_texture.is_none() && outer.interior_texture.is_some() {
-        (look.interior_texture, depths.interior_texture) = (outer.interior_texture, depth);
+    if appearance.interior_texture.is_none() && outer.interior_texture.is_some() {
+        (appearance.interior_texture, depths.interior_texture) = (outer.interior_texture, depth);
     }
-    if look.interior.is_none() && outer.interior.is_some() {
-        (look.interior, depths.interior) = (outer.interior, depth);
+    if appearance.interior.is_none() && outer.interior.is_some() {
+        (appearance.interior, depths.interior) = (outer.interior, depth);
     }
-    look.double_illuminate = outer.double_illuminate.or(look.double_illuminate);
-    look.object = outer.object;
-    look.light_group = outer.light_group.or(look.light_group);
+    appearance.double_illuminate = outer.double_illuminate.or(appearance.double_illuminate);
+    appearance.object = outer.object;
+    appearance.light_group = outer.light_group.or(appearance.light_group);
 }
 
 impl Inherited<'_> {
@@ -47,17 +47,17 @@ impl Inherited<'_> {
     #[inline]
     fn interior_key(&self, path: &Path) -> InteriorKey {
         InteriorKey {
-            interior: self.look.interior.unwrap_or_default(),
+            interior: self.appearance.interior.unwrap_or_default(),
             instance: instance_number(&path.steps()[..usize::from(self.depths.interior)]),
         }
     }
 }
 
 impl Geometry {
-    /// The interior behind some looks, with the frame-level object.
-    pub(super) fn interior_of(&self, look: u32, path: &Path) -> Option<(ObjectId, InteriorKey)> {
-        let inherited = self.looks_of(look, path);
-        inherited.look.interior.map(|_| (inherited.look.object, inherited.interior_key(path)))
+    /// The interior of an appearance, with the frame-level object.
+    pub(super) fn interior_of(&self, appearance: u32, path: &Path) -> Option<(ObjectId, InteriorKey)> {
+        let inherited = self.appearance_of(appearance, path);
+        inherited.appearance.interior.map(|_| (inherited.appearance.object, inherited.interior_key(path)))
     }
 
     /// Whether fog and media outside also fill an interior's object.
@@ -70,8 +70,8 @@ impl Geometry {
     /// Where only the [`surface`](Self::surface) could say, `false`.
     pub(super) fn blocks_light(&self, primitive: u32, path: &Path, opaque: &[bool]) -> bool {
         let primitive = &self.primitives[primitive as usize];
-        let inherited = self.looks_of(primitive.look, path);
-        let look = &inherited.look;
+        let inherited = self.appearance_of(primitive.appearance, path);
+        let appearance = &inherited.appearance;
         let is_opaque = |texture: TextureId| opaque.get(texture.0 as usize).copied().unwrap_or(false);
         let own_block = match &primitive.shape {
             Shape::Blob(blob) => !blob.has_textures,
@@ -80,9 +80,9 @@ impl Geometry {
         };
         let blocks = |placement: u32| self.placements.get(placement as usize).is_some_and(|p| is_opaque(p.texture));
         own_block
-            && look.cutaway.is_none()
-            && look.texture.is_some_and(blocks)
-            && look.interior_texture.is_none_or(blocks)
+            && appearance.cutaway.is_none()
+            && appearance.texture.is_some_and(blocks)
+            && appearance.interior_texture.is_none_or(blocks)
     }
 
     /// The full record of a hit that [`intersect`](Self::intersect) gave for the same ray.
@@ -112,8 +112,8 @@ impl Geometry {
         let normal = found.shading_normal.and_then(DVec3::try_normalize).unwrap_or(geometric_normal);
         let from_inside = normal.dot(ray.direction) > 0.0;
 
-        let inherited = self.looks_of(primitive.look, &hit.path);
-        let look = &inherited.look;
+        let inherited = self.appearance_of(primitive.appearance, &hit.path);
+        let appearance = &inherited.appearance;
         let interior = inherited.interior_key(&hit.path);
         Surface {
             point,
@@ -123,12 +123,12 @@ impl Geometry {
             uv: uv_of(primitive, uv, [local_point, group_point, point]),
             from_inside,
             textures: self.textures_of(primitive, &inherited, hit, from_inside, (local_point, group_point)),
-            uv_mapping: look.uv_mapping,
+            uv_mapping: appearance.uv_mapping,
             interior,
             hollow: self.hollow.get(interior.interior.0 as usize).copied().unwrap_or(false),
-            double_illuminate: look.double_illuminate.unwrap_or(false),
-            object: look.object,
-            light_group: look.light_group,
+            double_illuminate: appearance.double_illuminate.unwrap_or(false),
+            object: appearance.object,
+            light_group: appearance.light_group,
         }
     }
 
@@ -172,18 +172,18 @@ impl Geometry {
             .reduce(|inner, outer| inner.then(&outer))
     }
 
-    /// A primitive's looks with all that it inherits through the instances around it.
+    /// An appearance with all that it inherits through the instances around it.
     #[inline]
-    fn looks_of(&self, look: u32, path: &Path) -> Inherited<'_> {
-        let own = &self.looks[look as usize];
+    fn appearance_of(&self, appearance: u32, path: &Path) -> Inherited<'_> {
+        let own = &self.appearances[appearance as usize];
         let depth = path.steps().len() as u8;
         let depths = Depths { texture: depth, interior_texture: depth, interior: depth };
-        let mut inherited = Inherited { look: Cow::Borrowed(own), depths };
+        let mut inherited = Inherited { appearance: Cow::Borrowed(own), depths };
         if depth > 0 {
-            let look = inherited.look.to_mut();
+            let appearance = inherited.appearance.to_mut();
             for (step, depth) in path.steps().iter().zip(0..depth).rev() {
-                let outer = &self.looks[self.instances[*step as usize].look as usize];
-                inherit(look, &mut inherited.depths, outer, depth);
+                let outer = &self.appearances[self.instances[*step as usize].appearance as usize];
+                inherit(appearance, &mut inherited.depths, outer, depth);
             }
         }
         inherited
@@ -199,14 +199,14 @@ impl Geometry {
         from_inside: bool,
         points: (DVec3, DVec3),
     ) -> SmallVec<[TextureRef; 1]> {
-        let look = &inherited.look;
+        let appearance = &inherited.appearance;
         let of_parts = matches!(&primitive.shape, Shape::Blob(_) | Shape::Mesh(_));
-        if of_parts || look.cutaway.is_some() || (from_inside && look.interior_texture.is_some()) {
+        if of_parts || appearance.cutaway.is_some() || (from_inside && appearance.interior_texture.is_some()) {
             return self.textures_of_parts(primitive, inherited, hit, from_inside, points);
         }
         // By far the most: one texture for the whole object.
         let mut textures = SmallVec::new();
-        if let Some(texture) = look.texture {
+        if let Some(texture) = appearance.texture {
             textures.push(self.placed(texture, 1.0, inherited.depths.texture));
         }
         textures
@@ -221,12 +221,13 @@ impl Geometry {
         from_inside: bool,
         (point_local, point_group): (DVec3, DVec3),
     ) -> SmallVec<[TextureRef; 1]> {
-        let look = &inherited.look;
-        let whole = |weight: f32| look.texture.map(|texture| self.placed(texture, weight, inherited.depths.texture));
+        let appearance = &inherited.appearance;
+        let whole =
+            |weight: f32| appearance.texture.map(|texture| self.placed(texture, weight, inherited.depths.texture));
         let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.has_textures);
         if from_inside
             && !mixes
-            && let Some(placement) = look.interior_texture
+            && let Some(placement) = appearance.interior_texture
         {
             return smallvec::smallvec![self.placed(placement, 1.0, inherited.depths.interior_texture)];
         }
@@ -247,8 +248,8 @@ impl Geometry {
             let place = TexturePlace::Shape;
             return own.into_iter().map(|(texture, weight)| TextureRef { texture, weight, place }).collect();
         }
-        match look.cutaway {
-            Some(root) if self.looks[primitive.look as usize].texture.is_none() => {
+        match appearance.cutaway {
+            Some(root) if self.appearances[primitive.appearance as usize].texture.is_none() => {
                 let cut = self.cutaway(root, point_group);
                 cut.into_iter().map(|(p, weight)| self.placed(p, weight, inherited.depths.texture)).collect()
             }
@@ -277,7 +278,7 @@ impl Geometry {
         let mut found = SmallVec::<[(u32, f32); 2]>::new();
         match &self.nodes[node as usize].kind {
             NodeKind::Primitive(p) => {
-                let texture = self.looks[self.primitives[*p as usize].look as usize].texture;
+                let texture = self.appearances[self.primitives[*p as usize].appearance as usize].texture;
                 found.extend(texture.map(|t| (t, 1.0)));
             }
             NodeKind::Csg { operation, children, is_difference, .. } => {

@@ -1,6 +1,6 @@
 //! What is seen of solids: of faces in one place, of parts inside of each other.
 
-use super::looks::met;
+use super::appearance::met;
 use crate::compile::Queries;
 use crate::compiled::geometry::{RayKind, Scratch, Shadow};
 use crate::eval::{Options, evaluate};

@@ -4,7 +4,7 @@
 //! and is found at the hit, on the way back through the instances.
 
 use super::builder::Builder;
-use crate::compiled::geometry::{InteriorId, LightGroupId, Look, ObjectId, Placement, Skips, TextureId};
+use crate::compiled::geometry::{Appearance, InteriorId, LightGroupId, ObjectId, Placement, Skips, TextureId};
 use crate::math::Transform;
 use crate::scene::{Object, PlacedTexture, Shape, Texture, TextureLayer};
 use smallvec::SmallVec;
@@ -63,10 +63,10 @@ impl Context {
         Skips::new(self.no_image, self.no_reflection, self.no_shadow)
     }
 
-    /// The looks of a leaf, or of an instance on behalf of its contents.
-    pub(super) fn look(&self, object: ObjectId) -> Look {
+    /// The appearance of a leaf, or of an instance on behalf of its contents.
+    pub(super) fn appearance(&self, object: ObjectId) -> Appearance {
         let cutaway = self.cutaway_root.filter(|_| self.texture.is_none());
-        Look {
+        Appearance {
             texture: if cutaway.is_some() { None } else { self.texture.or(self.default_texture) },
             interior_texture: self.interior_texture,
             interior: self.interior,
@@ -181,13 +181,13 @@ impl Builder<'_> {
         InteriorId(self.interiors.len() as u32 - 1)
     }
 
-    /// Notes looks.
-    pub(super) fn add_look(&mut self, look: Look) -> u32 {
-        let looks = &mut self.geometry.looks;
-        if looks.last() != Some(&look) {
-            looks.push(look);
+    /// Notes an appearance.
+    pub(super) fn add_appearance(&mut self, appearance: Appearance) -> u32 {
+        let appearances = &mut self.geometry.appearances;
+        if appearances.last() != Some(&appearance) {
+            appearances.push(appearance);
         }
-        looks.len() as u32 - 1
+        appearances.len() as u32 - 1
     }
 }
 
