@@ -162,8 +162,8 @@ impl<'a> Builder<'a> {
             (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, index),
             _ => ItemKind::Primitive(index),
         };
-        if !inside.skips().skips_all() {
-            items.push(Item { kind, skips: inside.skips() }, &primitive.bounds());
+        if !inside.hidden_from().is_all() {
+            items.push(Item { kind, hidden_from: inside.hidden_from() }, &primitive.bounds());
         }
     }
 
@@ -174,8 +174,8 @@ impl<'a> Builder<'a> {
             self.screen(root, object, around);
             self.link(root);
             let node = &self.geometry.nodes[root as usize];
-            if !node.skips.skips_all() && !node.bounds.is_empty() {
-                items.push(Item { kind: ItemKind::Solid(root), skips: node.skips }, &node.bounds);
+            if !node.hidden_from.is_all() && !node.bounds.is_empty() {
+                items.push(Item { kind: ItemKind::Solid(root), hidden_from: node.hidden_from }, &node.bounds);
             }
         }
     }
@@ -261,8 +261,8 @@ impl<'a> Builder<'a> {
         let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group as usize].bounds));
         let index = self.geometry.instances.len() as u32;
         self.geometry.instances.push(Instance { group: shared.group, parent_from_group, appearance });
-        if !inside.skips().skips_all() {
-            items.push(Item { kind: ItemKind::Instance(index), skips: inside.skips() }, &bounds);
+        if !inside.hidden_from().is_all() {
+            items.push(Item { kind: ItemKind::Instance(index), hidden_from: inside.hidden_from() }, &bounds);
         }
         true
     }
@@ -296,7 +296,7 @@ impl<'a> Builder<'a> {
         let mut inside = self.enter(object, around);
         let index = self.geometry.nodes.len();
         self.geometry.nodes.push(Node::placeholder());
-        let mut node = Node { skips: inside.skips(), ..Node::placeholder() };
+        let mut node = Node { hidden_from: inside.hidden_from(), ..Node::placeholder() };
         match &object.shape {
             Shape::Csg { operation, children } => {
                 if is_root && self.cuts_away(object, &inside) {

@@ -4,7 +4,7 @@
 //! and is found at the hit, on the way back through the instances.
 
 use super::builder::Builder;
-use crate::compiled::geometry::{Appearance, InteriorId, LightGroupId, ObjectId, Placement, Skips, TextureId};
+use crate::compiled::geometry::{Appearance, InteriorId, LightGroupId, ObjectId, Placement, RayMask, TextureId};
 use crate::math::Transform;
 use crate::scene::{Object, PlacedTexture, Shape, Texture, TextureLayer};
 use smallvec::SmallVec;
@@ -59,8 +59,8 @@ impl Context {
         }
     }
 
-    pub(super) fn skips(&self) -> Skips {
-        Skips::new(self.no_image, self.no_reflection, self.no_shadow)
+    pub(super) fn hidden_from(&self) -> RayMask {
+        RayMask::new(self.no_image, self.no_reflection, self.no_shadow)
     }
 
     /// The appearance of a leaf, or of an instance on behalf of its contents.

@@ -12,11 +12,11 @@ use super::shape::{Plane, Primitive as _, Shape, Sphere};
 use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
 
-/// The kinds of ray that pass an object by.
+/// A set of kinds of ray. An object has one of those from which it is hidden, which pass it by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Skips(u8);
+pub(crate) struct RayMask(u8);
 
-impl Skips {
+impl RayMask {
     const IMAGE: u8 = 1;
     const REFLECTION: u8 = 2;
     const SHADOW: u8 = 4;
@@ -26,7 +26,7 @@ impl Skips {
         Self(bit(no_image, Self::IMAGE) | bit(no_reflection, Self::REFLECTION) | bit(no_shadow, Self::SHADOW))
     }
 
-    /// What passes a kind of ray by, of all that may.
+    /// A kind of ray by itself; a probe is none that anything can be hidden from.
     pub(crate) fn of(kind: RayKind) -> Self {
         Self(match kind {
             RayKind::Camera | RayKind::Refracted => Self::IMAGE,
@@ -37,12 +37,12 @@ impl Skips {
     }
 
     /// Whether they have a kind of ray in common.
-    pub(crate) fn meets(self, other: Self) -> bool {
+    pub(crate) fn intersects(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
 
-    /// Whether no kind of ray sees it.
-    pub(crate) fn skips_all(self) -> bool {
+    /// Whether these are all kinds that anything can be hidden from.
+    pub(crate) fn is_all(self) -> bool {
         self.0 == Self::IMAGE | Self::REFLECTION | Self::SHADOW
     }
 }
@@ -66,7 +66,7 @@ pub(crate) enum ItemKind {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Item {
     pub(crate) kind: ItemKind,
-    pub(crate) skips: Skips,
+    pub(crate) hidden_from: RayMask,
 }
 
 /// Objects that do not combine.
@@ -205,7 +205,7 @@ pub(crate) struct Node {
     pub(crate) clips: Box<[u32]>,
     /// Nodes that a ray must meet, or start in.
     pub(crate) bounded_by: Box<[u32]>,
-    pub(crate) skips: Skips,
+    pub(crate) hidden_from: RayMask,
     /// Of the solid itself, at its root.
     pub(crate) appearance: u32,
     /// The node that this is a child of; `None` for roots, clips and bounds.
@@ -244,7 +244,7 @@ impl Node {
             gap: Bounds::INFINITE,
             clips: Box::default(),
             bounded_by: Box::default(),
-            skips: Skips::default(),
+            hidden_from: RayMask::default(),
             appearance: 0,
             around: None,
             is_reversed: false,

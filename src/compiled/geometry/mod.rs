@@ -30,7 +30,7 @@ pub use solid::Scratch;
 // What `compile` fills in.
 pub(crate) use graph::{
     Appearance, Group, Instance, Item, ItemKind, Members, Node, NodeKind, Operation, Place, Placement, Primitive,
-    Skips, padded,
+    RayMask, padded,
 };
 pub(crate) use parts::Parts;
 pub(crate) use shape::{

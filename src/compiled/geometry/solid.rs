@@ -8,7 +8,7 @@
 //! survivor so far is asked about, and nothing behind that survivor is looked at.
 
 use super::Geometry;
-use super::graph::{Item, Node, NodeKind, Operation, Skips};
+use super::graph::{Item, Node, NodeKind, Operation, RayMask};
 use super::record::RayKind;
 use super::shape::{Primitive as _, ShapeHits};
 use super::slab::SlabRay;
@@ -295,7 +295,7 @@ impl Geometry {
             | (Operation::Union, RayKind::Camera) => false,
             (Operation::Union | Operation::Merge, _) => true,
         };
-        honoured && self.nodes[child as usize].skips.meets(Skips::of(kind))
+        honoured && self.nodes[child as usize].hidden_from.intersects(RayMask::of(kind))
     }
 
     /// Whether a point is inside a node and all its clips.

@@ -1,7 +1,7 @@
 //! The way of a ray through groups and instances to its nearest hit.
 
 use super::Geometry;
-use super::graph::{Group, Item, ItemKind, Skips};
+use super::graph::{Group, Item, ItemKind, RayMask};
 use super::record::{Hit, Path, RayKind};
 use super::shape::Primitive;
 use super::solid::Scratch;
@@ -12,8 +12,8 @@ use std::ops::ControlFlow;
 pub(super) struct Walk<'a, S> {
     pub(super) geometry: &'a Geometry,
     pub(super) kind: RayKind,
-    /// What passes this kind of ray by.
-    passed: Skips,
+    /// The kind, to compare with what an item is hidden from.
+    mask: RayMask,
     pub(super) scratch: &'a mut Scratch,
     /// Where hits count: up to the nearest so far, if it is looked for.
     pub(super) range: Range,
@@ -112,7 +112,7 @@ impl<'a, S: Search> Walk<'a, S> {
         scratch: &'a mut Scratch,
         search: S,
     ) -> Self {
-        Self { geometry, kind, passed: Skips::of(kind), scratch, range, path: Path::default(), ray, search }
+        Self { geometry, kind, mask: RayMask::of(kind), scratch, range, path: Path::default(), ray, search }
     }
 
     /// Goes through a group; `ray` is in the group's space. Breaks when any hit will do and there is one.
@@ -142,7 +142,7 @@ impl<'a, S: Search> Walk<'a, S> {
 
     #[inline(always)]
     pub(super) fn item(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
-        if item.skips.meets(self.passed) {
+        if item.hidden_from.intersects(self.mask) {
             return ControlFlow::Continue(());
         }
         match &item.kind {
