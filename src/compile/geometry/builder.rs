@@ -11,8 +11,8 @@ use super::primitive::fold;
 use super::quadric_reach::within;
 use super::room::{extent, gap};
 use crate::compiled::geometry::{
-    Cuboid, Geometry, Group, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, Members, MeshTree, Node, NodeKind, ObjectId,
-    Operation, Parts, Place, Primitive, Shape as Compiled, TextureId, padded,
+    Cuboid, Geometry, Group, GroupBuilder, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, MeshTree, Node, NodeKind,
+    ObjectId, Operation, Parent, Parts, Primitive, Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
@@ -90,14 +90,20 @@ impl<'a> Builder<'a> {
     }
 
     /// Places a frame-level object.
-    pub(super) fn place_root(&mut self, object: &Object, default: &Arc<Texture>, split: bool, items: &mut Members) {
+    pub(super) fn place_root(
+        &mut self,
+        object: &Object,
+        default: &Arc<Texture>,
+        split: bool,
+        items: &mut GroupBuilder,
+    ) {
         let mut around = Context::bare();
         around.default_texture = Some(self.unmoved(default));
         self.place_frame(object, around, split, items);
     }
 
     /// An object at frame level, or a member of a light group: owns an interior.
-    fn place_frame(&mut self, object: &Object, mut around: Context, split: bool, items: &mut Members) {
+    fn place_frame(&mut self, object: &Object, mut around: Context, split: bool, items: &mut GroupBuilder) {
         self.labeler.begin(object);
         if object.interior.is_none() && !matches!(object.shape, Shape::LightGroup { .. }) {
             let hollow = last_hollow(object, around.hollow);
@@ -107,14 +113,21 @@ impl<'a> Builder<'a> {
     }
 
     /// Places an object in a group. `height` grows to that of the instances inside.
-    fn place(&mut self, object: &Object, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
+    fn place(&mut self, object: &Object, around: &Context, split: bool, items: &mut GroupBuilder, height: &mut usize) {
         let outer = self.labeler.enter(object);
         roomy(|| self.place_kind(object, around, split, items, height));
         self.labeler.leave(outer);
     }
 
     /// The same, by its kind.
-    fn place_kind(&mut self, object: &Object, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
+    fn place_kind(
+        &mut self,
+        object: &Object,
+        around: &Context,
+        split: bool,
+        items: &mut GroupBuilder,
+        height: &mut usize,
+    ) {
         match &object.shape {
             Shape::LightSource(light) => {
                 if let Some(looks) = &light.looks_like {
@@ -155,7 +168,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn push_primitive(&mut self, index: u32, inside: &Context, items: &mut Members) {
+    fn push_primitive(&mut self, index: u32, inside: &Context, items: &mut GroupBuilder) {
         let primitive = &self.geometry.primitives[index as usize];
         let kind = match (&primitive.shape, &primitive.group_from_local) {
             (Compiled::Sphere(sphere), None) => ItemKind::Sphere(*sphere, index),
@@ -167,7 +180,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn place_solid(&mut self, object: &Object, around: &Context, items: &mut Members) {
+    fn place_solid(&mut self, object: &Object, around: &Context, items: &mut GroupBuilder) {
         let id = self.labeler.object_id();
         let root = self.geometry.nodes.len() as u32;
         if self.node(object, around, id, true).is_some() {
@@ -222,7 +235,7 @@ impl<'a> Builder<'a> {
             let NodeKind::Csg { children, .. } = &node.kind else { continue };
             for (position, child) in (0..).zip(children) {
                 let child = &mut inner[(child - index) as usize - 1];
-                child.around = Some(Place { node: index, position });
+                child.parent = Some(Parent { node: index, position });
                 child.is_reversed = node.is_reversed != node.reverses();
             }
         }
@@ -235,7 +248,7 @@ impl<'a> Builder<'a> {
         children: &Arc<[Arc<Object>]>,
         inside: &Context,
         splits: bool,
-        items: &mut Members,
+        items: &mut GroupBuilder,
         height: &mut usize,
     ) -> bool {
         if !can_be_shared(self.census.of(children), object, splits) || inside.cutaway || !splits && inside.inverse {
@@ -269,7 +282,7 @@ impl<'a> Builder<'a> {
 
     /// Builds contents once, as they are without anything around them.
     fn build_shared(&mut self, object: &Object, children: &Arc<[Arc<Object>]>, splits: bool) -> Shared {
-        let mut items = Members::with_capacity(0);
+        let mut items = GroupBuilder::with_capacity(0);
         let mut height = 0;
         if splits {
             for child in children.iter() {

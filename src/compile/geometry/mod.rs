@@ -22,7 +22,7 @@ mod text;
 mod watch;
 
 use crate::compiled::Labels;
-use crate::compiled::geometry::{Geometry, Group, LightGroupId, Members};
+use crate::compiled::geometry::{Geometry, Group, GroupBuilder, LightGroupId};
 use crate::diag::{Diagnostic, SourceResult};
 use crate::math::Transform;
 use crate::scene::{Interior, LightSource, Object, Scene, Settings, Texture};
@@ -72,7 +72,7 @@ pub struct PlacedLight {
 /// What a light group says about its members.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LightGroup {
-    /// Members are lit by global lights, too.
+    /// GroupBuilder are lit by global lights, too.
     pub global_lights: bool,
 }
 
@@ -115,7 +115,7 @@ fn build(objects: &[(&Object, &Arc<Texture>)], split: bool, max_parts: u64) -> S
         collect_lights(object, &Transform::IDENTITY, None, &census, &mut out);
     }
     let mut builder = Builder::new(&census, objects.len());
-    let mut items = Members::with_capacity(objects.len());
+    let mut items = GroupBuilder::with_capacity(objects.len());
     for (object, default) in objects {
         builder.place_root(object, default, split, &mut items);
     }

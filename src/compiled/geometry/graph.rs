@@ -83,15 +83,15 @@ pub(crate) struct Group {
 /// Items in a leaf: their tests are costly, boxes are cheap.
 const LEAF_SIZE: usize = 2;
 
-/// Items on their way into a group.
+/// A group under construction.
 #[derive(Debug)]
-pub(crate) struct Members {
+pub(crate) struct GroupBuilder {
     finite: Vec<(Item, Box32)>,
     infinite: Vec<Item>,
     bounds: Bounds,
 }
 
-impl Members {
+impl GroupBuilder {
     /// With room for so many finite ones.
     pub(crate) fn with_capacity(n: usize) -> Self {
         Self { finite: Vec::with_capacity(n), infinite: Vec::new(), bounds: Bounds::EMPTY }
@@ -110,7 +110,7 @@ impl Members {
 
 impl Group {
     /// Builds the hierarchy over items.
-    pub(crate) fn new(Members { finite, infinite, bounds }: Members) -> Self {
+    pub(crate) fn new(GroupBuilder { finite, infinite, bounds }: GroupBuilder) -> Self {
         let bounds = if infinite.is_empty() { bounds } else { Bounds::INFINITE };
         let (bvh, order) = Bvh::build(finite.par_iter().map(|(_, bounds)| *bounds), LEAF_SIZE);
         let items = order.iter().map(|i| finite[*i as usize].0).collect();
@@ -208,17 +208,17 @@ pub(crate) struct Node {
     pub(crate) hidden_from: RayMask,
     /// Of the solid itself, at its root.
     pub(crate) appearance: u32,
-    /// The node that this is a child of; `None` for roots, clips and bounds.
-    pub(crate) around: Option<Place>,
+    /// What this is a child of; `None` for roots, clips and bounds.
+    pub(crate) parent: Option<Parent>,
     /// Crossings are taken in reverse order an odd number of times on their way from here to the root.
     pub(crate) is_reversed: bool,
 }
 
-/// A child's place in a node.
+/// What a node is a child of.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct Parent {
     pub(crate) node: u32,
-    /// Among the node's children.
+    /// This child's among the node's children.
     pub(crate) position: u32,
 }
 
@@ -246,7 +246,7 @@ impl Node {
             bounded_by: Box::default(),
             hidden_from: RayMask::default(),
             appearance: 0,
-            around: None,
+            parent: None,
             is_reversed: false,
         }
     }

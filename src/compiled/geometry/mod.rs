@@ -29,7 +29,7 @@ pub use solid::Scratch;
 
 // What `compile` fills in.
 pub(crate) use graph::{
-    Appearance, Group, Instance, Item, ItemKind, Members, Node, NodeKind, Operation, Place, Placement, Primitive,
+    Appearance, Group, GroupBuilder, Instance, Item, ItemKind, Node, NodeKind, Operation, Parent, Placement, Primitive,
     RayMask, padded,
 };
 pub(crate) use parts::Parts;

@@ -158,16 +158,16 @@ impl Search<'_> {
     fn merge_hidden_by(&self, node: u32) -> Option<u32> {
         let nodes = &self.geometry.nodes;
         let node = &nodes[node as usize];
-        let around = node.around.filter(|_| node.clips.is_empty())?.node;
+        let parent = node.parent.filter(|_| node.clips.is_empty())?.node;
         let is_merge = |n: &Node| matches!(&n.kind, NodeKind::Csg { operation: Operation::Merge, .. });
-        is_merge(&nodes[around as usize]).then_some(around)
+        is_merge(&nodes[parent as usize]).then_some(parent)
     }
 
     /// Whether another part of the same merge is known to hide a crossing.
     fn is_covered(&self, crossing: &Crossing) -> bool {
-        let Some(around) = self.geometry.nodes[crossing.node as usize].around else { return false };
+        let Some(parent) = self.geometry.nodes[crossing.node as usize].parent else { return false };
         let t = crossing.t;
-        self.scratch.covers.iter().any(|c| c.merge == around.node && c.node != crossing.node && c.low < t && t < c.high)
+        self.scratch.covers.iter().any(|c| c.merge == parent.node && c.node != crossing.node && c.low < t && t < c.high)
     }
 
     /// Whether a crossing is left by everything around its primitive.
@@ -179,11 +179,11 @@ impl Search<'_> {
             if !node.clips.iter().all(|clip| geometry.node_contains(*clip, point)) {
                 return false;
             }
-            let Some(around) = node.around else { return true };
-            if !self.is_left_by_others(around.node, around.position as usize, point) {
+            let Some(parent) = node.parent else { return true };
+            if !self.is_left_by_others(parent.node, parent.position as usize, point) {
                 return false;
             }
-            node = &geometry.nodes[around.node as usize];
+            node = &geometry.nodes[parent.node as usize];
         }
     }
 
@@ -258,8 +258,8 @@ impl Geometry {
         // What is further in has the higher number.
         while nodes[0] != nodes[1] {
             let inner = usize::from(nodes[1] > nodes[0]);
-            let Some(around) = self.nodes[nodes[inner] as usize].around else { break };
-            (nodes[inner], positions[inner]) = (around.node, around.position);
+            let Some(parent) = self.nodes[nodes[inner] as usize].parent else { break };
+            (nodes[inner], positions[inner]) = (parent.node, parent.position);
         }
         let is_later = positions[0] > positions[1];
         is_later != self.nodes[nodes[0] as usize].is_reversed
