@@ -1,6 +1,6 @@
 //! Names of objects and textures, for layers that tell them apart.
 
-use super::geometry::{ObjectId, TextureId};
+use super::handle::{ObjectId, Table, TextureId};
 use std::sync::Arc;
 
 /// Finds the name of anything that a ray can meet.
@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// ```
 /// use whitted::compiled::Labels;
 /// use whitted::compiled::geometry::TextureId;
-/// assert_eq!(Labels::default().texture(TextureId(7)), "texture.007");
+/// assert_eq!(Labels::default().texture(TextureId::new(7)), "texture.007");
 /// ```
 #[derive(Debug, Default)]
 pub struct Labels {
@@ -19,14 +19,14 @@ pub struct Labels {
     pub bases: Vec<Arc<str>>,
     /// By statement: index of the base, and how many had it before.
     pub statements: Vec<[u32; 2]>,
-    /// By [`ObjectId`]: the statement that the object belongs to.
-    pub statement_of: Vec<u32>,
+    /// The statement that an object belongs to.
+    pub statement_of: Table<ObjectId, u32>,
 }
 
 impl Labels {
     /// Which statement an object belongs to: all its parts are one thing to a user.
     pub fn statement(&self, id: ObjectId) -> u32 {
-        self.statement_of.get(id.0 as usize).copied().unwrap_or(u32::MAX)
+        self.statement_of.get(id).copied().unwrap_or(u32::MAX)
     }
 
     /// The name of a statement's object.
@@ -38,7 +38,7 @@ impl Labels {
 
     /// The name of a texture: textures are numbered in the order in which objects use them.
     pub fn texture(&self, id: TextureId) -> String {
-        numbered("texture", id.0)
+        numbered("texture", id.number())
     }
 }
 

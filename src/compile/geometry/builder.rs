@@ -10,9 +10,10 @@ use super::labels::Labeler;
 use super::primitive::fold;
 use super::quadric_reach::within;
 use super::room::{extent, gap};
+use crate::compiled::Table;
 use crate::compiled::geometry::{
-    Cuboid, Geometry, Group, GroupBuilder, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, MeshTree, Node, NodeKind,
-    ObjectId, Operation, Parent, Parts, Primitive, Shape as Compiled, TextureId, padded,
+    Cuboid, Geometry, Group, GroupBuilder, Instance, InteriorId, Item, ItemKind, LightGroupId, MAX_INSTANCE_DEPTH,
+    MeshTree, Node, NodeKind, ObjectId, Operation, Parent, Parts, Primitive, Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
@@ -42,13 +43,13 @@ struct Shared {
 pub(super) struct Builder<'a> {
     pub(super) census: &'a Census,
     pub(super) geometry: Geometry,
-    pub(super) textures: Vec<Arc<Texture>>,
+    pub(super) textures: Table<TextureId, Arc<Texture>>,
     pub(super) texture_ids: FxHashMap<*const Texture, TextureId>,
     pub(super) layered_ids: FxHashMap<TextureParts, TextureId>,
     pub(super) placement_ids: FxHashMap<(TextureId, [[u64; 3]; 4]), u32>,
     /// Of textures where they were written, as most are.
     pub(super) unmoved_ids: FxHashMap<*const Texture, u32>,
-    pub(super) interiors: Vec<Arc<Interior>>,
+    pub(super) interiors: Table<InteriorId, Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
     pub(super) height_grids: FxHashMap<GridKey, Arc<crate::compiled::geometry::HeightGrid>>,
     /// By the object as it was first declared.
@@ -66,18 +67,18 @@ impl<'a> Builder<'a> {
         let geometry = Geometry {
             primitives: Vec::with_capacity(n_objects),
             appearances: Vec::with_capacity(n_objects),
-            hollow: Vec::with_capacity(n_objects),
+            hollow: Table::with_capacity(n_objects),
             ..Geometry::default()
         };
         Self {
             census,
             geometry,
-            textures: Vec::new(),
+            textures: Table::default(),
             texture_ids: FxHashMap::default(),
             layered_ids: FxHashMap::default(),
             placement_ids: FxHashMap::default(),
             unmoved_ids: FxHashMap::default(),
-            interiors: Vec::with_capacity(n_objects),
+            interiors: Table::with_capacity(n_objects),
             meshes: FxHashMap::default(),
             height_grids: FxHashMap::default(),
             watched: FxHashMap::default(),
@@ -137,7 +138,7 @@ impl<'a> Builder<'a> {
             }
             Shape::LightGroup { children, .. } => {
                 let mut inside = self.enter(object, around);
-                inside.light_group = Some(crate::compiled::geometry::LightGroupId(self.n_light_groups));
+                inside.light_group = Some(LightGroupId::new(self.n_light_groups));
                 self.n_light_groups += 1;
                 for child in children.iter() {
                     self.place_frame(child, inside.clone(), split, items);
@@ -319,7 +320,7 @@ impl<'a> Builder<'a> {
                 self.combine(*operation, children, &inside, id, &mut node);
             }
             Shape::LightGroup { children, .. } => {
-                inside.light_group = Some(crate::compiled::geometry::LightGroupId(self.n_light_groups));
+                inside.light_group = Some(LightGroupId::new(self.n_light_groups));
                 self.n_light_groups += 1;
                 node.appearance = self.add_appearance(inside.appearance(id));
                 self.combine(CsgOperation::Union, children, &inside, id, &mut node);

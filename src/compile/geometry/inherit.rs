@@ -162,10 +162,7 @@ impl Builder<'_> {
             return *known;
         }
         let textures = &mut self.textures;
-        let mut add = || {
-            textures.push(Arc::clone(texture));
-            TextureId(textures.len() as u32 - 1)
-        };
+        let mut add = || textures.push(Arc::clone(texture));
         let id = match &**texture {
             Texture::Layers(layers) => *self.layered_ids.entry(parts_of(layers)).or_insert_with(add),
             Texture::Patterned(_) => add(),
@@ -176,9 +173,8 @@ impl Builder<'_> {
 
     /// A new interior, private to the object that asks.
     pub(super) fn interior(&mut self, interior: Arc<crate::scene::Interior>, hollow: bool) -> InteriorId {
-        self.interiors.push(interior);
         self.geometry.hollow.push(hollow);
-        InteriorId(self.interiors.len() as u32 - 1)
+        self.interiors.push(interior)
     }
 
     /// Notes an appearance.

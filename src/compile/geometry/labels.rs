@@ -54,8 +54,7 @@ impl Labeler {
             Some(index) => index,
             None => self.new_statement(),
         };
-        self.labels.statement_of.push(index);
-        ObjectId(self.labels.statement_of.len() as u32 - 1)
+        self.labels.statement_of.push(index)
     }
 
     fn new_statement(&mut self) -> u32 {

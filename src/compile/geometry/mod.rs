@@ -21,8 +21,8 @@ mod tests;
 mod text;
 mod watch;
 
-use crate::compiled::Labels;
-use crate::compiled::geometry::{Geometry, Group, GroupBuilder, LightGroupId};
+use crate::compiled::geometry::{Geometry, Group, GroupBuilder, InteriorId, LightGroupId, TextureId};
+use crate::compiled::{Labels, Table};
 use crate::diag::{Diagnostic, SourceResult};
 use crate::math::Transform;
 use crate::scene::{Interior, LightSource, Object, Scene, Settings, Texture};
@@ -44,15 +44,15 @@ const POV_TINY: f64 = 1e-10;
 pub struct CompiledGeometry {
     /// What rays meet.
     pub geometry: Geometry,
-    /// What a `TextureId` stands for; each different texture once.
-    pub textures: Vec<Arc<Texture>>,
-    /// What an `InteriorId` stands for; one entry for each object that owns an interior.
-    pub interiors: Vec<Arc<Interior>>,
+    /// Each different texture once.
+    pub textures: Table<TextureId, Arc<Texture>>,
+    /// One for each object that owns an interior.
+    pub interiors: Table<InteriorId, Arc<Interior>>,
     /// Every light source of the scene, moved to world space.
     pub lights: Vec<PlacedLight>,
-    /// What a `LightGroupId` stands for.
-    pub light_groups: Vec<LightGroup>,
-    /// What an `ObjectId` stands for.
+    /// In file order.
+    pub light_groups: Table<LightGroupId, LightGroup>,
+    /// Names of objects and textures.
     pub labels: Labels,
     /// Isosurfaces that may have something to say after rendering, in file order.
     pub watched: Vec<Watched>,

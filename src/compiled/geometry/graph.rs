@@ -7,8 +7,9 @@
 
 use super::bvh::{Box32, Bvh};
 use super::parts::Parts;
-use super::record::{InteriorId, LightGroupId, ObjectId, RayKind, TextureId};
+use super::record::RayKind;
 use super::shape::{Plane, Primitive as _, Shape, Sphere};
+use crate::compiled::handle::{InteriorId, LightGroupId, ObjectId, TextureId};
 use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
 

@@ -2,7 +2,8 @@
 
 use super::Geometry;
 use super::graph::{Group, Item, ItemKind};
-use super::record::{InteriorKey, ObjectId, Path};
+use super::record::{InteriorKey, Path};
+use crate::compiled::handle::ObjectId;
 use crate::math::{DVec3, Range, Ray};
 use std::ops::ControlFlow;
 

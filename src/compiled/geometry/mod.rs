@@ -22,9 +22,8 @@ mod span;
 mod surface;
 mod walk;
 
-pub use record::{
-    Hit, InteriorId, InteriorKey, LightGroupId, MAX_INSTANCE_DEPTH, ObjectId, RayKind, Surface, TextureId, TextureRef,
-};
+pub use super::handle::{InteriorId, LightGroupId, ObjectId, TextureId};
+pub use record::{Hit, InteriorKey, MAX_INSTANCE_DEPTH, RayKind, Surface, TextureRef};
 pub use solid::Scratch;
 
 // What `compile` fills in.
@@ -40,6 +39,7 @@ pub(crate) use shape::{
     SweepSegment, Torus, Triangle,
 };
 
+use super::handle::Table;
 use crate::math::{Bounds, DVec3, Range, Ray};
 use record::Path;
 use smallvec::SmallVec;
@@ -59,8 +59,8 @@ pub struct Geometry {
     pub(crate) primitives: Vec<Primitive>,
     pub(crate) appearances: Vec<Appearance>,
     pub(crate) placements: Vec<Placement>,
-    /// By interior.
-    pub(crate) hollow: Vec<bool>,
+    /// Of each interior, whether fog and media outside also fill its object.
+    pub(crate) hollow: Table<InteriorId, bool>,
 }
 
 /// What is in the way of light.
@@ -91,7 +91,7 @@ impl Geometry {
         ray: &Ray,
         range: Range,
         light: usize,
-        opaque: Option<&[bool]>,
+        opaque: Option<&Table<TextureId, bool>>,
         scratch: &mut Scratch,
     ) -> Shadow {
         if scratch.blockers.len() <= light {

@@ -1,5 +1,6 @@
 //! What a ray asks for and what it gets back.
 
+use crate::compiled::handle::{InteriorId, LightGroupId, ObjectId, TextureId};
 use crate::math::{DVec3, Range, Ray, Uv};
 use smallvec::SmallVec;
 
@@ -18,26 +19,10 @@ pub enum RayKind {
     Probe,
 }
 
-/// Index into the textures that `compile` collected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct TextureId(pub u32);
-
-/// Index into the interiors that `compile` collected, one for each object that owns one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct InteriorId(pub u32);
-
-/// Index of a frame-level object (after union splitting), in file order.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct ObjectId(pub u32);
-
-/// Index into the light groups that `compile` collected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct LightGroupId(pub u32);
-
 /// Identity of an interior: which one, and in which copy of the object that owns it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct InteriorKey {
-    /// Index of the interior.
+    /// Which interior.
     pub interior: InteriorId,
     /// Tells copies of one shared object apart; 0 outside shared groups.
     pub instance: u32,

@@ -2,8 +2,9 @@
 
 use super::Geometry;
 use super::graph::{Appearance, NodeKind, Operation, Primitive};
-use super::record::{Hit, InteriorKey, ObjectId, Path, Surface, TextureId, TexturePlace, TextureRef};
+use super::record::{Hit, InteriorKey, Path, Surface, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
+use crate::compiled::handle::{ObjectId, Table, TextureId};
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
 use std::borrow::Cow;
@@ -62,17 +63,17 @@ impl Geometry {
 
     /// Whether fog and media outside also fill an interior's object.
     pub fn is_hollow(&self, key: InteriorKey) -> bool {
-        self.hollow.get(key.interior.0 as usize).copied().unwrap_or(false)
+        self.hollow.get(key.interior).copied().unwrap_or(false)
     }
 
     /// Whether all textures that may show on a primitive are among those marked in `opaque`.
     ///
     /// Where only the [`surface`](Self::surface) could say, `false`.
-    pub(super) fn blocks_light(&self, primitive: u32, path: &Path, opaque: &[bool]) -> bool {
+    pub(super) fn blocks_light(&self, primitive: u32, path: &Path, opaque: &Table<TextureId, bool>) -> bool {
         let primitive = &self.primitives[primitive as usize];
         let inherited = self.appearance_of(primitive.appearance, path);
         let appearance = &inherited.appearance;
-        let is_opaque = |texture: TextureId| opaque.get(texture.0 as usize).copied().unwrap_or(false);
+        let is_opaque = |texture: TextureId| opaque.get(texture).copied().unwrap_or(false);
         let own_block = match &primitive.shape {
             Shape::Blob(blob) => !blob.has_textures,
             Shape::Mesh(mesh) => mesh.tree.own_textures().iter().all(|texture| is_opaque(*texture)),
@@ -125,7 +126,7 @@ impl Geometry {
             textures: self.textures_of(primitive, &inherited, hit, from_inside, (local_point, group_point)),
             uv_mapping: appearance.uv_mapping,
             interior,
-            hollow: self.hollow.get(interior.interior.0 as usize).copied().unwrap_or(false),
+            hollow: self.is_hollow(interior),
             double_illuminate: appearance.double_illuminate.unwrap_or(false),
             object: appearance.object,
             light_group: appearance.light_group,

@@ -5,6 +5,7 @@ use super::graph::{Group, Item, ItemKind, RayMask};
 use super::record::{Hit, Path, RayKind};
 use super::shape::Primitive;
 use super::solid::Scratch;
+use crate::compiled::handle::{Table, TextureId};
 use crate::math::{Range, Ray};
 use std::ops::ControlFlow;
 
@@ -60,7 +61,7 @@ pub(super) struct Nearest {
 /// Whatever stands in the way of light.
 pub(super) struct Blocking<'a> {
     /// By texture, whether no light comes through; none is asked for where all are so.
-    pub(super) opaque: Option<&'a [bool]>,
+    pub(super) opaque: Option<&'a Table<TextureId, bool>>,
     /// Something was met that may let light through.
     pub(super) is_filtered: bool,
     /// The item of the outermost group that ended the search.

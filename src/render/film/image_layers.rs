@@ -40,7 +40,7 @@ impl ImageLayer {
             }
             Self::CryptoMaterial => {
                 let shares: Vec<_> = pixels.iter().map(|p| p.materials().ranked()).collect();
-                cryptomatte(self.name(), &shares, |texture| world.labels.texture(TextureId(texture)))
+                cryptomatte(self.name(), &shares, |texture| world.labels.texture(TextureId::new(texture)))
             }
         }
     }
@@ -84,7 +84,7 @@ fn depth(world: &World, pixel: &Detail) -> f32 {
 fn statements(world: &World, pixel: &Detail) -> Vec<(u32, f32)> {
     let mut shares = Coverage::default();
     for (object, share) in pixel.objects().ranked() {
-        shares.add(world.labels.statement(ObjectId(object)), share);
+        shares.add(world.labels.statement(ObjectId::new(object)), share);
     }
     shares.ranked()
 }

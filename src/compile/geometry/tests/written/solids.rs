@@ -13,7 +13,7 @@ fn part_seen(solid: &str, expected: u32) {
         "#macro B(I, A, Z) box {{ <-1, -1, A>, <1, 1, Z> pigment {{ rgb I }} }} #end
         #macro P(I, A) plane {{ -z, -A pigment {{ rgb I }} }} #end {solid}"
     );
-    let seen = met(&scene, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], |surface| surface.textures[0].texture.0);
+    let seen = met(&scene, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], |surface| surface.textures[0].texture.number());
     assert_eq!(seen, expected, "{solid}");
 }
 

@@ -1,0 +1,178 @@
+//! Handles: what one thing of a compiled scene knows another by.
+//!
+//! Things stand in lists, a [`Table`] for each kind, and refer to each other by their numbers there. A number by itself
+//! fits every list; a handle is a number that fits the tables of its kind alone. It takes four bytes, and an `Option`
+//! of it no more.
+//!
+//! ```
+//! use whitted::compiled::{Table, geometry::TextureId};
+//! let mut names = Table::default();
+//! let (oak, tin): (TextureId, TextureId) = (names.push("oak"), names.push("tin"));
+//! assert_eq!((names[oak], names[tin]), ("oak", "tin"));
+//! assert_eq!(size_of::<Option<TextureId>>(), 4);
+//! ```
+
+use std::fmt;
+use std::marker::PhantomData;
+use std::num::NonZeroU32;
+use std::ops::{Index, IndexMut};
+
+/// What a [`Table`] needs to know of its handles.
+pub trait Handle: Copy {
+    /// Of the entry at a position.
+    fn at(position: usize) -> Self;
+
+    /// The position of its entry.
+    fn position(self) -> usize;
+}
+
+/// Makes a type of handle of each name.
+macro_rules! handles {
+    ($($(#[$doc:meta])* $visibility:vis struct $name:ident;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[repr(transparent)]
+        // One more than the number, so that an `Option` takes no room.
+        $visibility struct $name(NonZeroU32);
+
+        impl $name {
+            /// From its number; 2^32 - 1 is one too many and gives the number before.
+            #[inline]
+            pub const fn new(number: u32) -> Self {
+                Self(NonZeroU32::MIN.saturating_add(number))
+            }
+
+            /// Its place in a table, from 0.
+            #[inline]
+            pub const fn number(self) -> u32 {
+                self.0.get() - 1
+            }
+        }
+
+        impl Handle for $name {
+            #[inline]
+            fn at(position: usize) -> Self {
+                Self::new(position as u32)
+            }
+
+            #[inline]
+            fn position(self) -> usize {
+                self.number() as usize
+            }
+        }
+
+        /// The first.
+        impl Default for $name {
+            fn default() -> Self {
+                Self::new(0)
+            }
+        }
+
+        impl fmt::Debug for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, concat!(stringify!($name), "({})"), self.number())
+            }
+        }
+    )*};
+}
+
+handles! {
+    /// One of the textures that `compile` collected.
+    pub struct TextureId;
+    /// One of the interiors that `compile` collected, one for each object that owns one.
+    pub struct InteriorId;
+    /// A frame-level object (after union splitting), in file order.
+    pub struct ObjectId;
+    /// One of the light groups that `compile` collected.
+    pub struct LightGroupId;
+}
+
+/// A list of things, or of facts about them, that are known by handles.
+#[derive(Clone)]
+pub struct Table<H, T> {
+    entries: Vec<T>,
+    handle: PhantomData<fn(H) -> H>,
+}
+
+impl<H: Handle, T> Table<H, T> {
+    /// With room for so many.
+    pub fn with_capacity(n: usize) -> Self {
+        Self { entries: Vec::with_capacity(n), handle: PhantomData }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// The handle that the next to be pushed will get.
+    pub fn next_handle(&self) -> H {
+        H::at(self.entries.len())
+    }
+
+    /// Adds one to the end.
+    pub fn push(&mut self, entry: T) -> H {
+        let handle = self.next_handle();
+        self.entries.push(entry);
+        handle
+    }
+
+    /// What a handle stands for, if it is of this table.
+    #[inline]
+    pub fn get(&self, handle: H) -> Option<&T> {
+        self.entries.get(handle.position())
+    }
+
+    /// All, in order.
+    pub fn iter(&self) -> std::slice::Iter<'_, T> {
+        self.entries.iter()
+    }
+}
+
+impl<H: Handle, T> Index<H> for Table<H, T> {
+    type Output = T;
+
+    #[inline]
+    fn index(&self, handle: H) -> &T {
+        &self.entries[handle.position()]
+    }
+}
+
+impl<H: Handle, T> IndexMut<H> for Table<H, T> {
+    #[inline]
+    fn index_mut(&mut self, handle: H) -> &mut T {
+        &mut self.entries[handle.position()]
+    }
+}
+
+impl<H, T> Default for Table<H, T> {
+    fn default() -> Self {
+        Self { entries: Vec::new(), handle: PhantomData }
+    }
+}
+
+impl<H, T: fmt::Debug> fmt::Debug for Table<H, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.entries.fmt(f)
+    }
+}
+
+impl<H, T> FromIterator<T> for Table<H, T> {
+    fn from_iter<I: IntoIterator<Item = T>>(entries: I) -> Self {
+        Self { entries: entries.into_iter().collect(), handle: PhantomData }
+    }
+}
+
+impl<H, T> IntoIterator for Table<H, T> {
+    type Item = T;
+    type IntoIter = std::vec::IntoIter<T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.entries.into_iter()
+    }
+}
