@@ -85,6 +85,8 @@ handles! {
     pub struct ObjectId;
     /// One of the light groups that `compile` collected.
     pub struct LightGroupId;
+    /// A shape in its place.
+    pub(crate) struct PrimitiveId;
 }
 
 /// A list of things, or of facts about them, that are known by handles.

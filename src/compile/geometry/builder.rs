@@ -13,7 +13,8 @@ use super::room::{extent, gap};
 use crate::compiled::Table;
 use crate::compiled::geometry::{
     Cuboid, Geometry, Group, GroupBuilder, Instance, InteriorId, Item, ItemKind, LightGroupId, MAX_INSTANCE_DEPTH,
-    MeshTree, Node, NodeKind, ObjectId, Operation, Parent, Parts, Primitive, Shape as Compiled, TextureId, padded,
+    MeshTree, Node, NodeKind, ObjectId, Operation, Parent, Parts, Primitive, PrimitiveId, Shape as Compiled, TextureId,
+    padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
@@ -65,7 +66,7 @@ impl<'a> Builder<'a> {
     /// With room for so many simple objects: most scenes of many objects have little else.
     pub(super) fn new(census: &'a Census, n_objects: usize) -> Self {
         let geometry = Geometry {
-            primitives: Vec::with_capacity(n_objects),
+            primitives: Table::with_capacity(n_objects),
             appearances: Vec::with_capacity(n_objects),
             hollow: Table::with_capacity(n_objects),
             ..Geometry::default()
@@ -161,20 +162,20 @@ impl<'a> Builder<'a> {
             _ if object.rare.clipped_by.is_empty() && !is_bounded(object) => {
                 let inside = self.enter(object, around);
                 let id = self.labeler.object_id();
-                if let Some(index) = self.primitive(object, &inside, id) {
-                    self.push_primitive(index, &inside, items);
+                if let Some(primitive) = self.primitive(object, &inside, id) {
+                    self.push_primitive(primitive, &inside, items);
                 }
             }
             _ => self.place_solid(object, around, items),
         }
     }
 
-    fn push_primitive(&mut self, index: u32, inside: &Context, items: &mut GroupBuilder) {
-        let primitive = &self.geometry.primitives[index as usize];
+    fn push_primitive(&mut self, id: PrimitiveId, inside: &Context, items: &mut GroupBuilder) {
+        let primitive = &self.geometry.primitives[id];
         let kind = match (&primitive.shape, &primitive.group_from_local) {
-            (Compiled::Sphere(sphere), None) => ItemKind::Sphere(*sphere, index),
-            (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, index),
-            _ => ItemKind::Primitive(index),
+            (Compiled::Sphere(sphere), None) => ItemKind::Sphere(*sphere, id),
+            (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, id),
+            _ => ItemKind::Primitive(id),
         };
         if !inside.hidden_from().is_all() {
             items.push(Item { kind, hidden_from: inside.hidden_from() }, &primitive.bounds());
@@ -200,27 +201,27 @@ impl<'a> Builder<'a> {
         let Geometry { nodes, primitives, .. } = &mut self.geometry;
         let is_field = |node: &Node| {
             let NodeKind::Primitive(p) = node.kind else { return false };
-            matches!(primitives[p as usize].shape, Compiled::HeightField(_))
+            matches!(primitives[p].shape, Compiled::HeightField(_))
         };
         if !nodes[root as usize..].iter().any(is_field) {
             return;
         }
         let screen = padded(around.group_from_parent.bounds(&super::extent::extent(object)));
         let screen = match nodes[root as usize].kind {
-            NodeKind::Primitive(p) => within(&primitives[p as usize], &screen, true),
+            NodeKind::Primitive(p) => within(&primitives[p], &screen, true),
             NodeKind::Csg { .. } => screen,
         };
         if !screen.is_finite() {
             return;
         }
-        primitives.push(Primitive {
+        let screening = primitives.push(Primitive {
             shape: Compiled::Cuboid(Cuboid { min: screen.min, max: screen.max }),
             group_from_local: None,
             inverse: false,
             uv_from_group: None,
             appearance: nodes[root as usize].appearance,
         });
-        let kind = NodeKind::Primitive(primitives.len() as u32 - 1);
+        let kind = NodeKind::Primitive(screening);
         nodes.push(Node { kind, bounds: screen, extent: screen, ..Node::placeholder() });
         let bound = nodes.len() as u32 - 1;
         let bounded_by = &mut nodes[root as usize].bounded_by;
@@ -327,7 +328,7 @@ impl<'a> Builder<'a> {
             }
             _ => {
                 let primitive = self.primitive(object, &inside, id)?;
-                let compiled = &self.geometry.primitives[primitive as usize];
+                let compiled = &self.geometry.primitives[primitive];
                 node.appearance = compiled.appearance;
                 node.bounds = compiled.bounds();
                 node.extent = extent(compiled);
@@ -351,7 +352,7 @@ impl<'a> Builder<'a> {
         if !node.clips.is_empty()
             && let NodeKind::Primitive(p) = node.kind
         {
-            let primitive = &self.geometry.primitives[p as usize];
+            let primitive = &self.geometry.primitives[p];
             node.bounds = within(primitive, &node.bounds, true);
             node.extent = within(primitive, &node.extent, false);
         }
@@ -367,7 +368,7 @@ impl<'a> Builder<'a> {
     /// The part of a box that a node's surface, or its surface and inside, can reach.
     fn reach(&self, node: u32, around: &Bounds, surface_only: bool) -> Bounds {
         match self.geometry.nodes[node as usize].kind {
-            NodeKind::Primitive(p) => within(&self.geometry.primitives[p as usize], around, surface_only),
+            NodeKind::Primitive(p) => within(&self.geometry.primitives[p], around, surface_only),
             NodeKind::Csg { .. } => *around,
         }
     }
@@ -459,21 +460,20 @@ impl<'a> Builder<'a> {
     }
 
     /// Adds the primitive of an object; `None` with a message, or silently where nothing shows.
-    fn primitive(&mut self, object: &Object, inside: &Context, id: ObjectId) -> Option<u32> {
+    fn primitive(&mut self, object: &Object, inside: &Context, id: ObjectId) -> Option<PrimitiveId> {
         let mut inverse = inside.inverse && !is_patch(&object.shape);
         let folded = match super::freeform::convert(self, object, inside) {
             Some(converted) => converted?,
             None => fold(&object.shape, inside.group_from_parent, &mut inverse)?,
         };
         let appearance = self.add_appearance(inside.appearance(id));
-        self.geometry.primitives.push(Primitive {
+        Some(self.geometry.primitives.push(Primitive {
             shape: folded.shape,
             group_from_local: folded.group_from_local.map(Box::new),
             inverse,
             uv_from_group: folded.uv_from_group.map(Box::new),
             appearance,
-        });
-        Some(self.geometry.primitives.len() as u32 - 1)
+        }))
     }
 }
 

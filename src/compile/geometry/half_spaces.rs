@@ -37,7 +37,7 @@ pub(super) fn tighten(geometry: &Geometry, node: &mut Node) {
     };
     node.extent = within(&node.extent, &around);
     if let NodeKind::Primitive(p) = node.kind
-        && let Shape::Plane(plane) = &geometry.primitives[p as usize].shape
+        && let Shape::Plane(plane) = &geometry.primitives[p].shape
     {
         around.extend([plane.normal, -plane.normal].map(|normal| {
             let distance = normal.dot(plane.normal) * plane.distance + PLANE_BOUNDARY;
@@ -51,7 +51,7 @@ pub(super) fn tighten(geometry: &Geometry, node: &mut Node) {
 fn collect(geometry: &Geometry, index: u32, around: &mut Vec<HalfSpace>) {
     let node = &geometry.nodes[index as usize];
     match &node.kind {
-        NodeKind::Primitive(p) => match &geometry.primitives[*p as usize].shape {
+        NodeKind::Primitive(p) => match &geometry.primitives[*p].shape {
             Shape::Plane(plane) => {
                 around.push(HalfSpace { normal: plane.normal, distance: plane.distance + PLANE_BOUNDARY });
             }

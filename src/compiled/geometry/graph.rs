@@ -9,7 +9,7 @@ use super::bvh::{Box32, Bvh};
 use super::parts::Parts;
 use super::record::RayKind;
 use super::shape::{Plane, Primitive as _, Shape, Sphere};
-use crate::compiled::handle::{InteriorId, LightGroupId, ObjectId, TextureId};
+use crate::compiled::handle::{InteriorId, LightGroupId, ObjectId, PrimitiveId, TextureId};
 use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
 
@@ -52,11 +52,11 @@ impl RayMask {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ItemKind {
     /// A sphere in the group's own space, the data at hand.
-    Sphere(Sphere, u32),
+    Sphere(Sphere, PrimitiveId),
     /// The same for a plane, which every ray tries.
-    Plane(Plane, u32),
+    Plane(Plane, PrimitiveId),
     /// Any other primitive without clips.
-    Primitive(u32),
+    Primitive(PrimitiveId),
     /// A tree of nodes.
     Solid(u32),
     /// A shared group in another place.
@@ -179,7 +179,7 @@ pub(crate) enum Operation {
 /// A part of a solid.
 #[derive(Clone, Debug)]
 pub(crate) enum NodeKind {
-    Primitive(u32),
+    Primitive(PrimitiveId),
     Csg {
         operation: Operation,
         children: Box<[u32]>,

@@ -63,9 +63,7 @@ impl Geometry {
     /// The interior of a frame-level object, with its place in file order.
     pub(super) fn item_interior(&self, item: &Item, path: &Path) -> Option<(ObjectId, InteriorKey)> {
         let appearance = match &item.kind {
-            ItemKind::Sphere(_, p) | ItemKind::Plane(_, p) | ItemKind::Primitive(p) => {
-                self.primitives[*p as usize].appearance
-            }
+            ItemKind::Sphere(_, p) | ItemKind::Plane(_, p) | ItemKind::Primitive(p) => self.primitives[*p].appearance,
             ItemKind::Solid(root) => self.nodes[*root as usize].appearance,
             ItemKind::Instance(_) => return None,
         };

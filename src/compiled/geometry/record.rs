@@ -1,6 +1,6 @@
 //! What a ray asks for and what it gets back.
 
-use crate::compiled::handle::{InteriorId, LightGroupId, ObjectId, TextureId};
+use crate::compiled::handle::{InteriorId, LightGroupId, ObjectId, PrimitiveId, TextureId};
 use crate::math::{DVec3, Range, Ray, Uv};
 use smallvec::SmallVec;
 
@@ -63,8 +63,8 @@ impl Path {
 pub struct Hit {
     /// Ray parameter; world distance for a unit direction.
     pub t: f64,
-    /// Index of the primitive.
-    pub(crate) primitive: u32,
+    /// Which primitive.
+    pub(crate) primitive: PrimitiveId,
     /// Which part of the primitive: face, segment or glyph, as the shape sees fit.
     pub(crate) part: u32,
     /// Through which instances.

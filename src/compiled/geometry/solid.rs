@@ -13,13 +13,14 @@ use super::record::RayKind;
 use super::shape::{Primitive as _, ShapeHits};
 use super::slab::SlabRay;
 use super::span::Confines;
+use crate::compiled::handle::PrimitiveId;
 use crate::math::{DVec3, Range, Ray};
 
 /// A crossing of a solid's part.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing {
     pub(crate) t: f64,
-    pub(crate) primitive: u32,
+    pub(crate) primitive: PrimitiveId,
     pub(crate) part: u32,
     /// The node of the primitive.
     node: u32,
@@ -123,8 +124,8 @@ impl Search<'_> {
     }
 
     /// Looks through the crossings of one primitive.
-    fn primitive(&mut self, node: u32, index: u32, range: Range) {
-        let primitive = &self.geometry.primitives[index as usize];
+    fn primitive(&mut self, node: u32, id: PrimitiveId, range: Range) {
+        let primitive = &self.geometry.primitives[id];
         // A part that hides what is inside of it is worth knowing from end to end.
         let merge = self.merge_hidden_by(node).filter(|_| primitive.shape.is_convex() && !primitive.inverse);
         let sought = if merge.is_some() { Range::LINE } else { range };
@@ -144,7 +145,7 @@ impl Search<'_> {
             if !range.contains(hit.t) {
                 continue;
             }
-            let crossing = Crossing { t: hit.t, primitive: index, part: hit.part, node, rank: rank as u32 };
+            let crossing = Crossing { t: hit.t, primitive: id, part: hit.part, node, rank: rank as u32 };
             let is_nearer = self.best.is_none_or(|best| {
                 crossing.t < best.t || crossing.t == best.t && self.geometry.counts_before(&crossing, &best)
             });
@@ -270,7 +271,7 @@ impl Geometry {
         let node = &self.nodes[node as usize];
         match &node.kind {
             NodeKind::Primitive(p) if node.clips.is_empty() && node.bounded_by.is_empty() => {
-                let primitive = &self.primitives[*p as usize];
+                let primitive = &self.primitives[*p];
                 primitive.group_from_local.is_none() && primitive.shape.is_quick()
             }
             _ => false,
@@ -323,8 +324,8 @@ impl Geometry {
     }
 
     /// Whether a point is inside a primitive, as inverted.
-    pub(super) fn primitive_contains(&self, index: u32, point: DVec3) -> bool {
-        let primitive = &self.primitives[index as usize];
+    pub(super) fn primitive_contains(&self, id: PrimitiveId, point: DVec3) -> bool {
+        let primitive = &self.primitives[id];
         let local = primitive.group_from_local.as_ref().map_or(point, |place| place.inverse_point(point));
         if primitive.inverse { primitive.shape.excludes(local) } else { primitive.shape.contains(local) }
     }

@@ -8,6 +8,7 @@ use super::Geometry;
 use super::graph::{NodeKind, Operation};
 use super::shape::Primitive as _;
 use super::slab::SlabRay;
+use crate::compiled::handle::PrimitiveId;
 use crate::math::{Bounds, Range};
 
 /// What children of an intersection leave to each other of a range: the highest lower ends and the lowest upper ends
@@ -57,7 +58,7 @@ impl Geometry {
         match &node.kind {
             // The shape knows better than its box.
             NodeKind::Primitive(p) if self.has_span(*p) => {
-                let primitive = &self.primitives[*p as usize];
+                let primitive = &self.primitives[*p];
                 match &primitive.group_from_local {
                     Some(place) => primitive.shape.span(&place.inverse_ray(ray.ray), range),
                     None => primitive.shape.span(ray.ray, range),
@@ -78,8 +79,8 @@ impl Geometry {
     }
 
     /// Whether a primitive's own shape says where it contains points.
-    fn has_span(&self, primitive: u32) -> bool {
-        let primitive = &self.primitives[primitive as usize];
+    fn has_span(&self, primitive: PrimitiveId) -> bool {
+        let primitive = &self.primitives[primitive];
         primitive.shape.has_span() && !primitive.inverse
     }
 

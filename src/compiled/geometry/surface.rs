@@ -4,7 +4,7 @@ use super::Geometry;
 use super::graph::{Appearance, NodeKind, Operation, Primitive};
 use super::record::{Hit, InteriorKey, Path, Surface, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
-use crate::compiled::handle::{ObjectId, Table, TextureId};
+use crate::compiled::handle::{ObjectId, PrimitiveId, Table, TextureId};
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
 use std::borrow::Cow;
@@ -69,8 +69,8 @@ impl Geometry {
     /// Whether all textures that may show on a primitive are among those marked in `opaque`.
     ///
     /// Where only the [`surface`](Self::surface) could say, `false`.
-    pub(super) fn blocks_light(&self, primitive: u32, path: &Path, opaque: &Table<TextureId, bool>) -> bool {
-        let primitive = &self.primitives[primitive as usize];
+    pub(super) fn blocks_light(&self, primitive: PrimitiveId, path: &Path, opaque: &Table<TextureId, bool>) -> bool {
+        let primitive = &self.primitives[primitive];
         let inherited = self.appearance_of(primitive.appearance, path);
         let appearance = &inherited.appearance;
         let is_opaque = |texture: TextureId| opaque.get(texture).copied().unwrap_or(false);
@@ -88,7 +88,7 @@ impl Geometry {
 
     /// The full record of a hit that [`intersect`](Self::intersect) gave for the same ray.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        let primitive = &self.primitives[hit.primitive as usize];
+        let primitive = &self.primitives[hit.primitive];
         let world_from_group = self.world_from(&hit.path, hit.path.steps().len());
         let group_from_local = primitive.group_from_local.as_deref();
         let in_group = world_from_group.as_ref().map(|place| place.inverse_ray(ray));
@@ -136,7 +136,7 @@ impl Geometry {
     /// Takes world space to the space in which a texture of a hit was written.
     pub fn texture_from_world(&self, hit: &Hit, seen: &TextureRef) -> Cow<'_, Transform> {
         let local_from_world = || {
-            let primitive = &self.primitives[hit.primitive as usize];
+            let primitive = &self.primitives[hit.primitive];
             let local = primitive.group_from_local.as_deref().copied().unwrap_or_default();
             let world = self.world_from(&hit.path, hit.path.steps().len()).unwrap_or_default();
             local.then(&world).inverse()
@@ -152,7 +152,7 @@ impl Geometry {
             }
             TexturePlace::Shape => Cow::Owned(local_from_world()),
             TexturePlace::Component(i) => {
-                let own = match &self.primitives[hit.primitive as usize].shape {
+                let own = match &self.primitives[hit.primitive].shape {
                     Shape::Blob(blob) => {
                         blob.parts[i as usize].texture.map(|(_, component_from_blob)| component_from_blob)
                     }
@@ -279,7 +279,7 @@ impl Geometry {
         let mut found = SmallVec::<[(u32, f32); 2]>::new();
         match &self.nodes[node as usize].kind {
             NodeKind::Primitive(p) => {
-                let texture = self.appearances[self.primitives[*p as usize].appearance as usize].texture;
+                let texture = self.appearances[self.primitives[*p].appearance as usize].texture;
                 found.extend(texture.map(|t| (t, 1.0)));
             }
             NodeKind::Csg { operation, children, is_difference, .. } => {

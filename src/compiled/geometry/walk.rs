@@ -5,7 +5,7 @@ use super::graph::{Group, Item, ItemKind, RayMask};
 use super::record::{Hit, Path, RayKind};
 use super::shape::Primitive;
 use super::solid::Scratch;
-use crate::compiled::handle::{Table, TextureId};
+use crate::compiled::handle::{PrimitiveId, Table, TextureId};
 use crate::math::{Range, Ray};
 use std::ops::ControlFlow;
 
@@ -40,7 +40,7 @@ pub(super) trait Search: Sized {
 #[derive(Clone, Copy)]
 pub(super) struct Found {
     t: f64,
-    primitive: u32,
+    primitive: PrimitiveId,
     part: u32,
     owner: Owner,
 }
@@ -48,7 +48,7 @@ pub(super) struct Found {
 /// What POV-Ray has as one object: a primitive by itself or a solid, by index.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Owner {
-    Primitive(u32),
+    Primitive(PrimitiveId),
     Solid(u32),
 }
 
@@ -149,7 +149,7 @@ impl<'a, S: Search> Walk<'a, S> {
         match &item.kind {
             ItemKind::Sphere(sphere, primitive) => self.shape(sphere, *primitive, ray),
             ItemKind::Plane(plane, primitive) => self.shape(plane, *primitive, ray),
-            ItemKind::Primitive(index) => self.primitive(*index, ray),
+            ItemKind::Primitive(id) => self.primitive(*id, ray),
             ItemKind::Solid(root) => self.solid(*root, ray),
             ItemKind::Instance(index) => self.instance(*index, ray),
         }
@@ -157,7 +157,7 @@ impl<'a, S: Search> Walk<'a, S> {
 
     /// A shape in the group's own space.
     #[inline(always)]
-    fn shape(&mut self, shape: &impl Primitive, primitive: u32, ray: &Ray) -> ControlFlow<()> {
+    fn shape(&mut self, shape: &impl Primitive, primitive: PrimitiveId, ray: &Ray) -> ControlFlow<()> {
         match shape.intersect(ray, self.range) {
             Some(hit) => {
                 S::record(self, Found { t: hit.t, primitive, part: hit.part, owner: Owner::Primitive(primitive) })
@@ -187,8 +187,8 @@ impl<'a, S: Search> Walk<'a, S> {
     }
 
     #[inline(never)]
-    fn primitive(&mut self, index: u32, ray: &Ray) -> ControlFlow<()> {
-        let primitive = &self.geometry.primitives[index as usize];
+    fn primitive(&mut self, id: PrimitiveId, ray: &Ray) -> ControlFlow<()> {
+        let primitive = &self.geometry.primitives[id];
         let moved;
         let ray = match &primitive.group_from_local {
             Some(place) => {
@@ -197,13 +197,13 @@ impl<'a, S: Search> Walk<'a, S> {
             }
             None => ray,
         };
-        let owner = Owner::Primitive(index);
+        let owner = Owner::Primitive(id);
         if S::ANY {
             if primitive.shape.occluded(ray, self.range) {
-                return S::record(self, Found { t: self.range.max, primitive: index, part: 0, owner });
+                return S::record(self, Found { t: self.range.max, primitive: id, part: 0, owner });
             }
         } else if let Some(hit) = primitive.shape.intersect(ray, self.range) {
-            return S::record(self, Found { t: hit.t, primitive: index, part: hit.part, owner });
+            return S::record(self, Found { t: hit.t, primitive: id, part: hit.part, owner });
         }
         ControlFlow::Continue(())
     }
@@ -220,7 +220,7 @@ impl<'a, S: Search> Walk<'a, S> {
     /// The parameter at which the ray enters the box of an object.
     fn entry(&self, owner: Owner, path: &Path) -> f64 {
         let local = match owner {
-            Owner::Primitive(i) => self.geometry.primitives[i as usize].bounds(),
+            Owner::Primitive(i) => self.geometry.primitives[i].bounds(),
             Owner::Solid(i) => self.geometry.nodes[i as usize].bounds,
         };
         if !local.is_finite() {
