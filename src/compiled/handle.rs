@@ -38,13 +38,13 @@ macro_rules! handles {
         impl $name {
             /// From its number; 2^32 - 1 is one too many and gives the number before.
             #[inline]
-            pub const fn new(number: u32) -> Self {
+            $visibility const fn new(number: u32) -> Self {
                 Self(NonZeroU32::MIN.saturating_add(number))
             }
 
             /// Its place in a table, from 0.
             #[inline]
-            pub const fn number(self) -> u32 {
+            $visibility const fn number(self) -> u32 {
                 self.0.get() - 1
             }
         }
@@ -87,6 +87,8 @@ handles! {
     pub struct LightGroupId;
     /// A shape in its place.
     pub(crate) struct PrimitiveId;
+    /// A part of a solid.
+    pub(crate) struct NodeId;
 }
 
 /// A list of things, or of facts about them, that are known by handles.
@@ -100,6 +102,11 @@ impl<H: Handle, T> Table<H, T> {
     /// With room for so many.
     pub fn with_capacity(n: usize) -> Self {
         Self { entries: Vec::with_capacity(n), handle: PhantomData }
+    }
+
+    /// A handle and those after it.
+    pub fn handles_from(&self, first: H) -> impl Iterator<Item = H> + use<H, T> {
+        (first.position()..self.entries.len()).map(H::at)
     }
 
     /// How many there are.

@@ -13,8 +13,8 @@ use super::room::{extent, gap};
 use crate::compiled::Table;
 use crate::compiled::geometry::{
     Cuboid, Geometry, Group, GroupBuilder, Instance, InteriorId, Item, ItemKind, LightGroupId, MAX_INSTANCE_DEPTH,
-    MeshTree, Node, NodeKind, ObjectId, Operation, Parent, Parts, Primitive, PrimitiveId, Shape as Compiled, TextureId,
-    padded,
+    MeshTree, Node, NodeId, NodeKind, ObjectId, Operation, Parent, Parts, Primitive, PrimitiveId, Shape as Compiled,
+    TextureId, padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
@@ -184,11 +184,11 @@ impl<'a> Builder<'a> {
 
     fn place_solid(&mut self, object: &Object, around: &Context, items: &mut GroupBuilder) {
         let id = self.labeler.object_id();
-        let root = self.geometry.nodes.len() as u32;
+        let root = self.geometry.nodes.next_handle();
         if self.node(object, around, id, true).is_some() {
             self.screen(root, object, around);
             self.link(root);
-            let node = &self.geometry.nodes[root as usize];
+            let node = &self.geometry.nodes[root];
             if !node.hidden_from.is_all() && !node.bounds.is_empty() {
                 items.push(Item { kind: ItemKind::Solid(root), hidden_from: node.hidden_from }, &node.bounds);
             }
@@ -197,17 +197,17 @@ impl<'a> Builder<'a> {
 
     /// Leaves the rays that miss POV-Ray's box of a solid with nothing, where that box may be too small: a height field
     /// is solid below its own.
-    fn screen(&mut self, root: u32, object: &Object, around: &Context) {
+    fn screen(&mut self, root: NodeId, object: &Object, around: &Context) {
         let Geometry { nodes, primitives, .. } = &mut self.geometry;
         let is_field = |node: &Node| {
             let NodeKind::Primitive(p) = node.kind else { return false };
             matches!(primitives[p].shape, Compiled::HeightField(_))
         };
-        if !nodes[root as usize..].iter().any(is_field) {
+        if !nodes.handles_from(root).any(|id| is_field(&nodes[id])) {
             return;
         }
         let screen = padded(around.group_from_parent.bounds(&super::extent::extent(object)));
-        let screen = match nodes[root as usize].kind {
+        let screen = match nodes[root].kind {
             NodeKind::Primitive(p) => within(&primitives[p], &screen, true),
             NodeKind::Csg { .. } => screen,
         };
@@ -219,26 +219,24 @@ impl<'a> Builder<'a> {
             group_from_local: None,
             inverse: false,
             uv_from_group: None,
-            appearance: nodes[root as usize].appearance,
+            appearance: nodes[root].appearance,
         });
         let kind = NodeKind::Primitive(screening);
-        nodes.push(Node { kind, bounds: screen, extent: screen, ..Node::placeholder() });
-        let bound = nodes.len() as u32 - 1;
-        let bounded_by = &mut nodes[root as usize].bounded_by;
+        let bound = nodes.push(Node { kind, bounds: screen, extent: screen, ..Node::placeholder() });
+        let bounded_by = &mut nodes[root].bounded_by;
         *bounded_by = bounded_by.iter().copied().chain([bound]).collect();
     }
 
     /// Tells the nodes of a solid what they are parts of.
-    fn link(&mut self, root: u32) {
+    fn link(&mut self, root: NodeId) {
+        let nodes = &mut self.geometry.nodes;
         // What is around a node stands before it.
-        for index in root..self.geometry.nodes.len() as u32 {
-            let (known, inner) = self.geometry.nodes.split_at_mut(index as usize + 1);
-            let Some(node) = known.last() else { return };
-            let NodeKind::Csg { children, .. } = &node.kind else { continue };
-            for (position, child) in (0..).zip(children) {
-                let child = &mut inner[(child - index) as usize - 1];
-                child.parent = Some(Parent { node: index, position });
-                child.is_reversed = node.is_reversed != node.reverses();
+        for id in nodes.handles_from(root) {
+            let is_reversed = nodes[id].is_reversed != nodes[id].reverses();
+            for position in 0..nodes[id].children().len() {
+                let child = nodes[id].children()[position];
+                nodes[child].parent = Some(Parent { node: id, position: position as u32 });
+                nodes[child].is_reversed = is_reversed;
             }
         }
     }
@@ -299,23 +297,22 @@ impl<'a> Builder<'a> {
     }
 
     /// Builds an object as a part of a solid; `None` for what has no surface.
-    fn node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
+    fn node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<NodeId> {
         roomy(|| self.whole_node(object, around, id, is_root))
     }
 
-    fn whole_node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
+    fn whole_node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<NodeId> {
         if let Shape::LightSource(light) = &object.shape {
             let looks = light.looks_like.clone()?;
             return self.node(&looks, &Context { no_shadow: true, ..around.clone() }, id, is_root);
         }
         let mut inside = self.enter(object, around);
-        let index = self.geometry.nodes.len();
-        self.geometry.nodes.push(Node::placeholder());
+        let own = self.geometry.nodes.push(Node::placeholder());
         let mut node = Node { hidden_from: inside.hidden_from(), ..Node::placeholder() };
         match &object.shape {
             Shape::Csg { operation, children } => {
                 if is_root && self.cuts_away(object, &inside) {
-                    inside.cutaway_root = Some(index as u32);
+                    inside.cutaway_root = Some(own);
                 }
                 node.appearance = self.add_appearance(Context { cutaway_root: None, ..inside.clone() }.appearance(id));
                 self.combine(*operation, children, &inside, id, &mut node);
@@ -344,7 +341,7 @@ impl<'a> Builder<'a> {
                 object.rare.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
         }
         for clip in &node.clips {
-            let clip = &self.geometry.nodes[*clip as usize];
+            let clip = &self.geometry.nodes[*clip];
             node.bounds = node.bounds.intersection(&clip.extent);
             node.extent = node.extent.intersection(&clip.extent);
             node.gap = node.gap.union(&clip.gap);
@@ -361,13 +358,13 @@ impl<'a> Builder<'a> {
             let place = &around.group_from_parent;
             node.bounds = node.bounds.intersection(&padded(place.bounds(&shrunken)));
         }
-        self.geometry.nodes[index] = node;
-        Some(index as u32)
+        self.geometry.nodes[own] = node;
+        Some(own)
     }
 
     /// The part of a box that a node's surface, or its surface and inside, can reach.
-    fn reach(&self, node: u32, around: &Bounds, surface_only: bool) -> Bounds {
-        match self.geometry.nodes[node as usize].kind {
+    fn reach(&self, node: NodeId, around: &Bounds, surface_only: bool) -> Bounds {
+        match self.geometry.nodes[node].kind {
             NodeKind::Primitive(p) => within(&self.geometry.primitives[p], around, surface_only),
             NodeKind::Csg { .. } => *around,
         }
@@ -417,33 +414,32 @@ impl<'a> Builder<'a> {
             built.extend(self.node(child, &around, id, false));
         }
         let nodes = &self.geometry.nodes;
-        let hull =
-            |f: fn(&Node) -> Bounds| built.iter().fold(Bounds::EMPTY, |sum, n| sum.union(&f(&nodes[*n as usize])));
+        let hull = |f: fn(&Node) -> Bounds| built.iter().fold(Bounds::EMPTY, |sum, n| sum.union(&f(&nodes[*n])));
         node.bounds = hull(|n| n.bounds);
         if compiled == Operation::Intersection {
             let common = |skip: usize| {
                 let others = built.iter().enumerate().filter(|(i, _)| *i != skip);
-                others.fold(Bounds::INFINITE, |b, (_, n)| b.intersection(&nodes[*n as usize].extent))
+                others.fold(Bounds::INFINITE, |b, (_, n)| b.intersection(&nodes[*n].extent))
             };
-            let inside = |n: u32, around: Bounds| self.reach(n, &around, false);
+            let inside = |n: NodeId, around: Bounds| self.reach(n, &around, false);
             node.extent = built.iter().fold(common(usize::MAX), |around, n| inside(*n, around));
             // A child's surface survives only inside the others; quadratic, so only for a few.
             if built.len() <= 16 {
                 node.bounds = built.iter().enumerate().fold(Bounds::EMPTY, |sum, (i, n)| {
-                    let around = nodes[*n as usize].bounds.intersection(&common(i)).intersection(&node.extent);
+                    let around = nodes[*n].bounds.intersection(&common(i)).intersection(&node.extent);
                     sum.union(&self.reach(*n, &around, true))
                 });
             } else if let Some(first) = built.first() {
                 // Whatever survives lies on one child and inside all others.
-                let rest = nodes[*first as usize].bounds.union(&nodes[*first as usize].extent);
+                let rest = nodes[*first].bounds.union(&nodes[*first].extent);
                 node.bounds = node.bounds.intersection(&rest);
             }
             node.gap = hull(|n| n.gap);
         } else {
             node.extent = hull(|n| n.extent);
-            node.gap = built.iter().fold(Bounds::INFINITE, |gap, n| gap.intersection(&nodes[*n as usize].gap));
+            node.gap = built.iter().fold(Bounds::INFINITE, |gap, n| gap.intersection(&nodes[*n].gap));
         }
-        let boxes = |f: fn(&Node) -> Bounds| built.iter().map(|n| f(&nodes[*n as usize])).collect::<Vec<_>>();
+        let boxes = |f: fn(&Node) -> Bounds| built.iter().map(|n| f(&nodes[*n])).collect::<Vec<_>>();
         let says = boxes(if compiled == Operation::Intersection { |n| n.gap } else { |n| n.extent });
         let confines = |i: &u32| self.geometry.confines(built[*i as usize]);
         let confining = match compiled {

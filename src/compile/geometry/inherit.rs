@@ -4,7 +4,9 @@
 //! and is found at the hit, on the way back through the instances.
 
 use super::builder::Builder;
-use crate::compiled::geometry::{Appearance, InteriorId, LightGroupId, ObjectId, Placement, RayMask, TextureId};
+use crate::compiled::geometry::{
+    Appearance, InteriorId, LightGroupId, NodeId, ObjectId, Placement, RayMask, TextureId,
+};
 use crate::math::Transform;
 use crate::scene::{Object, PlacedTexture, Shape, Texture, TextureLayer};
 use smallvec::SmallVec;
@@ -32,7 +34,7 @@ pub(super) struct Context {
     pub(super) no_shadow: bool,
     /// Cut faces without texture look for one; holds the solid's root once it is known.
     pub(super) cutaway: bool,
-    pub(super) cutaway_root: Option<u32>,
+    pub(super) cutaway_root: Option<NodeId>,
     pub(super) light_group: Option<LightGroupId>,
 }
 

@@ -9,7 +9,7 @@ use super::bvh::{Box32, Bvh};
 use super::parts::Parts;
 use super::record::RayKind;
 use super::shape::{Plane, Primitive as _, Shape, Sphere};
-use crate::compiled::handle::{InteriorId, LightGroupId, ObjectId, PrimitiveId, TextureId};
+use crate::compiled::handle::{InteriorId, LightGroupId, NodeId, ObjectId, PrimitiveId, TextureId};
 use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
 
@@ -58,7 +58,7 @@ pub(crate) enum ItemKind {
     /// Any other primitive without clips.
     Primitive(PrimitiveId),
     /// A tree of nodes.
-    Solid(u32),
+    Solid(NodeId),
     /// A shared group in another place.
     Instance(u32),
 }
@@ -182,7 +182,7 @@ pub(crate) enum NodeKind {
     Primitive(PrimitiveId),
     Csg {
         operation: Operation,
-        children: Box<[u32]>,
+        children: Box<[NodeId]>,
         /// Written as `difference`: cut faces take the texture of the first child alone.
         is_difference: bool,
         /// Of an intersection, positions of the children that contain nothing outside some stretch of a ray.
@@ -203,9 +203,9 @@ pub(crate) struct Node {
     /// Around all points outside; infinite where unknown.
     pub(crate) gap: Bounds,
     /// Nodes in which a hit must be.
-    pub(crate) clips: Box<[u32]>,
+    pub(crate) clips: Box<[NodeId]>,
     /// Nodes that a ray must meet, or start in.
-    pub(crate) bounded_by: Box<[u32]>,
+    pub(crate) bounded_by: Box<[NodeId]>,
     pub(crate) hidden_from: RayMask,
     /// Of the solid itself, at its root.
     pub(crate) appearance: u32,
@@ -218,12 +218,20 @@ pub(crate) struct Node {
 /// What a node is a child of.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parent {
-    pub(crate) node: u32,
+    pub(crate) node: NodeId,
     /// This child's among the node's children.
     pub(crate) position: u32,
 }
 
 impl Node {
+    /// What it combines.
+    pub(crate) fn children(&self) -> &[NodeId] {
+        match &self.kind {
+            NodeKind::Primitive(_) => &[],
+            NodeKind::Csg { children, .. } => children,
+        }
+    }
+
     /// Whether crossings of a child are taken in reverse order.
     pub(crate) fn reverses(&self) -> bool {
         let filters = matches!(&self.kind, NodeKind::Csg { operation, .. } if *operation != Operation::Union);
@@ -272,7 +280,7 @@ pub(crate) struct Appearance {
     pub(crate) uv_mapping: bool,
     pub(crate) double_illuminate: Option<bool>,
     /// Without a texture of its own, takes that of the objects cut: the solid's root node.
-    pub(crate) cutaway: Option<u32>,
+    pub(crate) cutaway: Option<NodeId>,
     pub(crate) object: ObjectId,
     pub(crate) light_group: Option<LightGroupId>,
 }

@@ -64,7 +64,7 @@ impl Geometry {
     pub(super) fn item_interior(&self, item: &Item, path: &Path) -> Option<(ObjectId, InteriorKey)> {
         let appearance = match &item.kind {
             ItemKind::Sphere(_, p) | ItemKind::Plane(_, p) | ItemKind::Primitive(p) => self.primitives[*p].appearance,
-            ItemKind::Solid(root) => self.nodes[*root as usize].appearance,
+            ItemKind::Solid(root) => self.nodes[*root].appearance,
             ItemKind::Instance(_) => return None,
         };
         self.interior_of(appearance, path)

@@ -27,7 +27,7 @@ pub use record::{Hit, InteriorKey, MAX_INSTANCE_DEPTH, RayKind, Surface, Texture
 pub use solid::Scratch;
 
 // What `compile` fills in.
-pub(crate) use super::handle::PrimitiveId;
+pub(crate) use super::handle::{NodeId, PrimitiveId};
 pub(crate) use graph::{
     Appearance, Group, GroupBuilder, Instance, Item, ItemKind, Node, NodeKind, Operation, Parent, Placement, Primitive,
     RayMask, padded,
@@ -56,7 +56,7 @@ pub struct Geometry {
     pub(crate) root: Group,
     pub(crate) groups: Vec<Group>,
     pub(crate) instances: Vec<Instance>,
-    pub(crate) nodes: Vec<Node>,
+    pub(crate) nodes: Table<NodeId, Node>,
     pub(crate) primitives: Table<PrimitiveId, Primitive>,
     pub(crate) appearances: Vec<Appearance>,
     pub(crate) placements: Vec<Placement>,

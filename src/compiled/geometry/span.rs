@@ -8,7 +8,7 @@ use super::Geometry;
 use super::graph::{NodeKind, Operation};
 use super::shape::Primitive as _;
 use super::slab::SlabRay;
-use crate::compiled::handle::PrimitiveId;
+use crate::compiled::handle::{NodeId, PrimitiveId};
 use crate::math::{Bounds, Range};
 
 /// What children of an intersection leave to each other of a range: the highest lower ends and the lowest upper ends
@@ -53,8 +53,8 @@ impl Confines {
 
 impl Geometry {
     /// The part of a range outside of which a node contains no point of the ray; errs on the side of more.
-    pub(super) fn span(&self, index: u32, ray: &SlabRay<'_>, range: Range) -> Range {
-        let node = &self.nodes[index as usize];
+    pub(super) fn span(&self, id: NodeId, ray: &SlabRay<'_>, range: Range) -> Range {
+        let node = &self.nodes[id];
         match &node.kind {
             // The shape knows better than its box.
             NodeKind::Primitive(p) if self.has_span(*p) => {
@@ -85,8 +85,8 @@ impl Geometry {
     }
 
     /// Whether [`span`](Self::span) may be less than the whole range.
-    pub(crate) fn confines(&self, index: u32) -> bool {
-        let node = &self.nodes[index as usize];
+    pub(crate) fn confines(&self, id: NodeId) -> bool {
+        let node = &self.nodes[id];
         let of_kind = || match &node.kind {
             NodeKind::Primitive(p) => self.has_span(*p),
             NodeKind::Csg { confining, .. } => !confining.is_empty(),

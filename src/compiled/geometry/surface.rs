@@ -4,7 +4,7 @@ use super::Geometry;
 use super::graph::{Appearance, NodeKind, Operation, Primitive};
 use super::record::{Hit, InteriorKey, Path, Surface, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
-use crate::compiled::handle::{ObjectId, PrimitiveId, Table, TextureId};
+use crate::compiled::handle::{NodeId, ObjectId, PrimitiveId, Table, TextureId};
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
 use std::borrow::Cow;
@@ -275,9 +275,9 @@ impl Geometry {
 
     /// Textures of the parts of a solid that contain a point of a cut, evenly weighted at each
     /// level (shape facts, section 10.5).
-    fn cutaway(&self, node: u32, point: DVec3) -> SmallVec<[(u32, f32); 2]> {
+    fn cutaway(&self, node: NodeId, point: DVec3) -> SmallVec<[(u32, f32); 2]> {
         let mut found = SmallVec::<[(u32, f32); 2]>::new();
-        match &self.nodes[node as usize].kind {
+        match &self.nodes[node].kind {
             NodeKind::Primitive(p) => {
                 let texture = self.appearances[self.primitives[*p].appearance as usize].texture;
                 found.extend(texture.map(|t| (t, 1.0)));
@@ -300,8 +300,8 @@ impl Geometry {
     }
 
     /// Whether a point is inside a node, whatever clips it.
-    fn contains_unclipped(&self, index: u32, point: DVec3) -> bool {
-        match &self.nodes[index as usize].kind {
+    fn contains_unclipped(&self, id: NodeId, point: DVec3) -> bool {
+        match &self.nodes[id].kind {
             NodeKind::Primitive(p) => self.primitive_contains(*p, point),
             NodeKind::Csg { operation: Operation::Intersection, children, .. } => {
                 children.iter().all(|n| self.node_contains(*n, point))

@@ -5,7 +5,7 @@ use super::graph::{Group, Item, ItemKind, RayMask};
 use super::record::{Hit, Path, RayKind};
 use super::shape::Primitive;
 use super::solid::Scratch;
-use crate::compiled::handle::{PrimitiveId, Table, TextureId};
+use crate::compiled::handle::{NodeId, PrimitiveId, Table, TextureId};
 use crate::math::{Range, Ray};
 use std::ops::ControlFlow;
 
@@ -49,7 +49,7 @@ pub(super) struct Found {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Owner {
     Primitive(PrimitiveId),
-    Solid(u32),
+    Solid(NodeId),
 }
 
 /// The nearest hit.
@@ -167,7 +167,7 @@ impl<'a, S: Search> Walk<'a, S> {
     }
 
     #[inline(never)]
-    fn solid(&mut self, root: u32, ray: &Ray) -> ControlFlow<()> {
+    fn solid(&mut self, root: NodeId, ray: &Ray) -> ControlFlow<()> {
         match self.geometry.solid_nearest(root, ray, self.range, self.kind, S::ANY, self.scratch) {
             Some(c) => {
                 S::record(self, Found { t: c.t, primitive: c.primitive, part: c.part, owner: Owner::Solid(root) })
@@ -221,7 +221,7 @@ impl<'a, S: Search> Walk<'a, S> {
     fn entry(&self, owner: Owner, path: &Path) -> f64 {
         let local = match owner {
             Owner::Primitive(i) => self.geometry.primitives[i].bounds(),
-            Owner::Solid(i) => self.geometry.nodes[i as usize].bounds,
+            Owner::Solid(i) => self.geometry.nodes[i].bounds,
         };
         if !local.is_finite() {
             return f64::NEG_INFINITY;
