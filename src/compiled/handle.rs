@@ -87,6 +87,10 @@ handles! {
     pub struct LightGroupId;
     /// A shape in its place.
     pub(crate) struct PrimitiveId;
+    /// Objects that do not combine, shared by instances.
+    pub(crate) struct GroupId;
+    /// A shared group in one place.
+    pub(crate) struct InstanceId;
     /// A part of a solid.
     pub(crate) struct NodeId;
 }

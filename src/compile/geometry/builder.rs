@@ -12,9 +12,9 @@ use super::quadric_reach::within;
 use super::room::{extent, gap};
 use crate::compiled::Table;
 use crate::compiled::geometry::{
-    Cuboid, Geometry, Group, GroupBuilder, Instance, InteriorId, Item, ItemKind, LightGroupId, MAX_INSTANCE_DEPTH,
-    MeshTree, Node, NodeId, NodeKind, ObjectId, Operation, Parent, Parts, Primitive, PrimitiveId, Shape as Compiled,
-    TextureId, padded,
+    Cuboid, Geometry, Group, GroupBuilder, GroupId, Instance, InteriorId, Item, ItemKind, LightGroupId,
+    MAX_INSTANCE_DEPTH, MeshTree, Node, NodeId, NodeKind, ObjectId, Operation, Parent, Parts, Primitive, PrimitiveId,
+    Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
@@ -35,7 +35,7 @@ pub(super) fn can_be_shared(facts: Entry, object: &Object, splits: bool) -> bool
 /// A shared group, once it is built.
 #[derive(Clone, Copy)]
 struct Shared {
-    group: u32,
+    group: GroupId,
     /// Instances inside each other, this one included.
     height: usize,
 }
@@ -271,11 +271,10 @@ impl<'a> Builder<'a> {
         let id = self.labeler.object_id();
         let appearance = self.add_appearance(inside.appearance(id));
         let parent_from_group = inside.group_from_parent;
-        let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group as usize].bounds));
-        let index = self.geometry.instances.len() as u32;
-        self.geometry.instances.push(Instance { group: shared.group, parent_from_group, appearance });
+        let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group].bounds));
+        let instance = self.geometry.instances.push(Instance { group: shared.group, parent_from_group, appearance });
         if !inside.hidden_from().is_all() {
-            items.push(Item { kind: ItemKind::Instance(index), hidden_from: inside.hidden_from() }, &bounds);
+            items.push(Item { kind: ItemKind::Instance(instance), hidden_from: inside.hidden_from() }, &bounds);
         }
         true
     }
@@ -292,8 +291,8 @@ impl<'a> Builder<'a> {
             let bare = Object { flags: Default::default(), ..Object::new(object.shape.clone(), object.span) };
             self.place_solid(&bare, &Context::bare(), &mut items);
         }
-        self.geometry.groups.push(Group::new(items));
-        Shared { group: self.geometry.groups.len() as u32 - 1, height: height + 1 }
+        let group = self.geometry.groups.push(Group::new(items));
+        Shared { group, height: height + 1 }
     }
 
     /// Builds an object as a part of a solid; `None` for what has no surface.

@@ -9,7 +9,9 @@ use super::bvh::{Box32, Bvh};
 use super::parts::Parts;
 use super::record::RayKind;
 use super::shape::{Plane, Primitive as _, Shape, Sphere};
-use crate::compiled::handle::{InteriorId, LightGroupId, NodeId, ObjectId, PrimitiveId, TextureId};
+use crate::compiled::handle::{
+    GroupId, InstanceId, InteriorId, LightGroupId, NodeId, ObjectId, PrimitiveId, TextureId,
+};
 use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
 
@@ -60,7 +62,7 @@ pub(crate) enum ItemKind {
     /// A tree of nodes.
     Solid(NodeId),
     /// A shared group in another place.
-    Instance(u32),
+    Instance(InstanceId),
 }
 
 /// An object of a group.
@@ -122,7 +124,7 @@ impl Group {
 /// A shared group in one place.
 #[derive(Clone, Debug)]
 pub(crate) struct Instance {
-    pub(crate) group: u32,
+    pub(crate) group: GroupId,
     pub(crate) parent_from_group: Transform,
     /// What the contents inherit.
     pub(crate) appearance: u32,

@@ -49,10 +49,10 @@ impl Geometry {
             }
             ItemKind::Solid(root) => self.node_contains(*root, point),
             ItemKind::Instance(i) => {
-                let instance = &self.instances[*i as usize];
+                let instance = &self.instances[*i];
                 let local = instance.parent_from_group.inverse_point(point);
                 path.push(*i);
-                let go_on = self.gather(&self.groups[instance.group as usize], local, path, found);
+                let go_on = self.gather(&self.groups[instance.group], local, path, found);
                 path.pop();
                 return go_on;
             }

@@ -27,7 +27,7 @@ pub use record::{Hit, InteriorKey, MAX_INSTANCE_DEPTH, RayKind, Surface, Texture
 pub use solid::Scratch;
 
 // What `compile` fills in.
-pub(crate) use super::handle::{NodeId, PrimitiveId};
+pub(crate) use super::handle::{GroupId, InstanceId, NodeId, PrimitiveId};
 pub(crate) use graph::{
     Appearance, Group, GroupBuilder, Instance, Item, ItemKind, Node, NodeKind, Operation, Parent, Placement, Primitive,
     RayMask, padded,
@@ -54,8 +54,8 @@ use walk::{Blocking, Nearest, Walk};
 pub struct Geometry {
     /// What every ray enters.
     pub(crate) root: Group,
-    pub(crate) groups: Vec<Group>,
-    pub(crate) instances: Vec<Instance>,
+    pub(crate) groups: Table<GroupId, Group>,
+    pub(crate) instances: Table<InstanceId, Instance>,
     pub(crate) nodes: Table<NodeId, Node>,
     pub(crate) primitives: Table<PrimitiveId, Primitive>,
     pub(crate) appearances: Vec<Appearance>,

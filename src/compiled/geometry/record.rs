@@ -1,6 +1,6 @@
 //! What a ray asks for and what it gets back.
 
-use crate::compiled::handle::{InteriorId, LightGroupId, ObjectId, PrimitiveId, TextureId};
+use crate::compiled::handle::{InstanceId, InteriorId, LightGroupId, ObjectId, PrimitiveId, TextureId};
 use crate::math::{DVec3, Range, Ray, Uv};
 use smallvec::SmallVec;
 
@@ -35,19 +35,19 @@ pub const MAX_INSTANCE_DEPTH: usize = 12;
 /// The instances a ray went through to reach a primitive, outermost first.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Path {
-    /// Indices into the instances; only the first `len` count.
-    steps: [u32; MAX_INSTANCE_DEPTH],
+    /// Only the first `len` count.
+    steps: [InstanceId; MAX_INSTANCE_DEPTH],
     len: u8,
 }
 
 impl Path {
     /// The instances, outermost first.
-    pub(crate) fn steps(&self) -> &[u32] {
+    pub(crate) fn steps(&self) -> &[InstanceId] {
         &self.steps[..usize::from(self.len)]
     }
 
     /// Goes into an instance; `compile` keeps the depth in bounds.
-    pub(crate) fn push(&mut self, instance: u32) {
+    pub(crate) fn push(&mut self, instance: InstanceId) {
         self.steps[usize::from(self.len)] = instance;
         self.len += 1;
     }

@@ -4,7 +4,7 @@ use super::Geometry;
 use super::graph::{Appearance, NodeKind, Operation, Primitive};
 use super::record::{Hit, InteriorKey, Path, Surface, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
-use crate::compiled::handle::{NodeId, ObjectId, PrimitiveId, Table, TextureId};
+use crate::compiled::handle::{InstanceId, NodeId, ObjectId, PrimitiveId, Table, TextureId};
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
 use std::borrow::Cow;
@@ -169,7 +169,7 @@ impl Geometry {
         path.steps()[..depth]
             .iter()
             .rev()
-            .map(|i| self.instances[*i as usize].parent_from_group)
+            .map(|i| self.instances[*i].parent_from_group)
             .reduce(|inner, outer| inner.then(&outer))
     }
 
@@ -183,7 +183,7 @@ impl Geometry {
         if depth > 0 {
             let appearance = inherited.appearance.to_mut();
             for (step, depth) in path.steps().iter().zip(0..depth).rev() {
-                let outer = &self.appearances[self.instances[*step as usize].appearance as usize];
+                let outer = &self.appearances[self.instances[*step].appearance as usize];
                 inherit(appearance, &mut inherited.depths, outer, depth);
             }
         }
@@ -333,9 +333,9 @@ fn uv_of(primitive: &Primitive, uv: Option<Uv>, [local, group, world]: [DVec3; 3
 
 /// A number for a chain of instances: 0 for none, different for different chains (up to the
 /// chance of a 32-bit hash). Source: FNV-1a.
-fn instance_number(steps: &[u32]) -> u32 {
+fn instance_number(steps: &[InstanceId]) -> u32 {
     if steps.is_empty() {
         return 0;
     }
-    steps.iter().fold(0x811c_9dc5_u32, |hash, step| (hash ^ step).wrapping_mul(0x0100_0193))
+    steps.iter().fold(0x811c_9dc5_u32, |hash, step| (hash ^ step.number()).wrapping_mul(0x0100_0193))
 }

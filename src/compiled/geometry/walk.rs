@@ -5,7 +5,7 @@ use super::graph::{Group, Item, ItemKind, RayMask};
 use super::record::{Hit, Path, RayKind};
 use super::shape::Primitive;
 use super::solid::Scratch;
-use crate::compiled::handle::{NodeId, PrimitiveId, Table, TextureId};
+use crate::compiled::handle::{InstanceId, NodeId, PrimitiveId, Table, TextureId};
 use crate::math::{Range, Ray};
 use std::ops::ControlFlow;
 
@@ -151,7 +151,7 @@ impl<'a, S: Search> Walk<'a, S> {
             ItemKind::Plane(plane, primitive) => self.shape(plane, *primitive, ray),
             ItemKind::Primitive(id) => self.primitive(*id, ray),
             ItemKind::Solid(root) => self.solid(*root, ray),
-            ItemKind::Instance(index) => self.instance(*index, ray),
+            ItemKind::Instance(id) => self.instance(*id, ray),
         }
     }
 
@@ -177,11 +177,11 @@ impl<'a, S: Search> Walk<'a, S> {
     }
 
     #[inline(never)]
-    fn instance(&mut self, index: u32, ray: &Ray) -> ControlFlow<()> {
-        let instance = &self.geometry.instances[index as usize];
-        self.path.push(index);
+    fn instance(&mut self, id: InstanceId, ray: &Ray) -> ControlFlow<()> {
+        let instance = &self.geometry.instances[id];
+        self.path.push(id);
         let geometry = self.geometry;
-        let flow = self.group(&geometry.groups[instance.group as usize], &instance.parent_from_group.inverse_ray(ray));
+        let flow = self.group(&geometry.groups[instance.group], &instance.parent_from_group.inverse_ray(ray));
         self.path.pop();
         flow
     }
@@ -226,7 +226,7 @@ impl<'a, S: Search> Walk<'a, S> {
         if !local.is_finite() {
             return f64::NEG_INFINITY;
         }
-        let outward = path.steps().iter().rev().map(|i| &self.geometry.instances[*i as usize].parent_from_group);
+        let outward = path.steps().iter().rev().map(|i| &self.geometry.instances[*i].parent_from_group);
         let world = outward.fold(local, |bounds, place| place.bounds(&bounds));
         let (o, d) = (self.ray.origin, self.ray.direction);
         let slab = |axis: usize| {
