@@ -91,6 +91,10 @@ handles! {
     pub(crate) struct GroupId;
     /// A shared group in one place.
     pub(crate) struct InstanceId;
+    /// How an object appears.
+    pub(crate) struct AppearanceId;
+    /// A texture with its place.
+    pub(crate) struct PlacementId;
     /// A part of a solid.
     pub(crate) struct NodeId;
 }
@@ -133,6 +137,11 @@ impl<H: Handle, T> Table<H, T> {
         let handle = self.next_handle();
         self.entries.push(entry);
         handle
+    }
+
+    /// The last entry with its handle.
+    pub fn last(&self) -> Option<(H, &T)> {
+        self.entries.last().map(|entry| (H::at(self.entries.len() - 1), entry))
     }
 
     /// What a handle stands for, if it is of this table.

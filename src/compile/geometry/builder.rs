@@ -13,8 +13,8 @@ use super::room::{extent, gap};
 use crate::compiled::Table;
 use crate::compiled::geometry::{
     Cuboid, Geometry, Group, GroupBuilder, GroupId, Instance, InteriorId, Item, ItemKind, LightGroupId,
-    MAX_INSTANCE_DEPTH, MeshTree, Node, NodeId, NodeKind, ObjectId, Operation, Parent, Parts, Primitive, PrimitiveId,
-    Shape as Compiled, TextureId, padded,
+    MAX_INSTANCE_DEPTH, MeshTree, Node, NodeId, NodeKind, ObjectId, Operation, Parent, Parts, PlacementId, Primitive,
+    PrimitiveId, Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
@@ -47,9 +47,9 @@ pub(super) struct Builder<'a> {
     pub(super) textures: Table<TextureId, Arc<Texture>>,
     pub(super) texture_ids: FxHashMap<*const Texture, TextureId>,
     pub(super) layered_ids: FxHashMap<TextureParts, TextureId>,
-    pub(super) placement_ids: FxHashMap<(TextureId, [[u64; 3]; 4]), u32>,
+    pub(super) placement_ids: FxHashMap<(TextureId, [[u64; 3]; 4]), PlacementId>,
     /// Of textures where they were written, as most are.
-    pub(super) unmoved_ids: FxHashMap<*const Texture, u32>,
+    pub(super) unmoved_ids: FxHashMap<*const Texture, PlacementId>,
     pub(super) interiors: Table<InteriorId, Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
     pub(super) height_grids: FxHashMap<GridKey, Arc<crate::compiled::geometry::HeightGrid>>,
@@ -67,7 +67,7 @@ impl<'a> Builder<'a> {
     pub(super) fn new(census: &'a Census, n_objects: usize) -> Self {
         let geometry = Geometry {
             primitives: Table::with_capacity(n_objects),
-            appearances: Vec::with_capacity(n_objects),
+            appearances: Table::with_capacity(n_objects),
             hollow: Table::with_capacity(n_objects),
             ..Geometry::default()
         };

@@ -5,7 +5,7 @@
 
 use super::builder::Builder;
 use crate::compiled::geometry::{
-    Appearance, InteriorId, LightGroupId, NodeId, ObjectId, Placement, RayMask, TextureId,
+    Appearance, AppearanceId, InteriorId, LightGroupId, NodeId, ObjectId, Placement, PlacementId, RayMask, TextureId,
 };
 use crate::math::Transform;
 use crate::scene::{Object, PlacedTexture, Shape, Texture, TextureLayer};
@@ -21,10 +21,10 @@ pub(super) struct Context {
     pub(super) inverse: bool,
     /// Any inversion so far.
     pub(super) turned: bool,
-    pub(super) texture: Option<u32>,
-    pub(super) interior_texture: Option<u32>,
+    pub(super) texture: Option<PlacementId>,
+    pub(super) interior_texture: Option<PlacementId>,
     /// What a leaf without any texture gets; `None` inside shared groups.
-    pub(super) default_texture: Option<u32>,
+    pub(super) default_texture: Option<PlacementId>,
     pub(super) interior: Option<InteriorId>,
     pub(super) uv_mapping: bool,
     pub(super) hollow: Option<bool>,
@@ -118,7 +118,7 @@ impl Builder<'_> {
     }
 
     /// Notes a texture in a place, or finds the same one.
-    fn placement(&mut self, placed: &PlacedTexture, group_from_parent: &Transform, fixed: bool) -> u32 {
+    fn placement(&mut self, placed: &PlacedTexture, group_from_parent: &Transform, fixed: bool) -> PlacementId {
         if placed.place.is_identity() && (fixed || group_from_parent.is_identity()) {
             return self.unmoved(&placed.texture);
         }
@@ -129,7 +129,7 @@ impl Builder<'_> {
     }
 
     /// The same for a texture where it was written.
-    pub(super) fn unmoved(&mut self, texture: &Arc<Texture>) -> u32 {
+    pub(super) fn unmoved(&mut self, texture: &Arc<Texture>) -> PlacementId {
         if let Some(known) = self.unmoved_ids.get(&Arc::as_ptr(texture)) {
             return *known;
         }
@@ -139,7 +139,7 @@ impl Builder<'_> {
         placement
     }
 
-    fn placement_of(&mut self, texture: TextureId, group_from_texture: &Transform) -> u32 {
+    fn placement_of(&mut self, texture: TextureId, group_from_texture: &Transform) -> PlacementId {
         let m = group_from_texture.linear();
         let columns = [m.x_axis, m.y_axis, m.z_axis, group_from_texture.origin()];
         let key = columns.map(|v| v.to_array().map(f64::to_bits));
@@ -151,9 +151,8 @@ impl Builder<'_> {
         placement
     }
 
-    fn add_placement(&mut self, texture: TextureId, texture_from_group: Option<Box<Transform>>) -> u32 {
-        self.geometry.placements.push(Placement { texture, texture_from_group });
-        self.geometry.placements.len() as u32 - 1
+    fn add_placement(&mut self, texture: TextureId, texture_from_group: Option<Box<Transform>>) -> PlacementId {
+        self.geometry.placements.push(Placement { texture, texture_from_group })
     }
 
     /// The number of a texture.
@@ -180,12 +179,12 @@ impl Builder<'_> {
     }
 
     /// Notes an appearance.
-    pub(super) fn add_appearance(&mut self, appearance: Appearance) -> u32 {
+    pub(super) fn add_appearance(&mut self, appearance: Appearance) -> AppearanceId {
         let appearances = &mut self.geometry.appearances;
-        if appearances.last() != Some(&appearance) {
-            appearances.push(appearance);
+        match appearances.last() {
+            Some((id, last)) if *last == appearance => id,
+            _ => appearances.push(appearance),
         }
-        appearances.len() as u32 - 1
     }
 }
 

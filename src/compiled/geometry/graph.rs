@@ -10,7 +10,7 @@ use super::parts::Parts;
 use super::record::RayKind;
 use super::shape::{Plane, Primitive as _, Shape, Sphere};
 use crate::compiled::handle::{
-    GroupId, InstanceId, InteriorId, LightGroupId, NodeId, ObjectId, PrimitiveId, TextureId,
+    AppearanceId, GroupId, InstanceId, InteriorId, LightGroupId, NodeId, ObjectId, PlacementId, PrimitiveId, TextureId,
 };
 use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
@@ -127,7 +127,7 @@ pub(crate) struct Instance {
     pub(crate) group: GroupId,
     pub(crate) parent_from_group: Transform,
     /// What the contents inherit.
-    pub(crate) appearance: u32,
+    pub(crate) appearance: AppearanceId,
 }
 
 /// A shape in its place.
@@ -141,7 +141,7 @@ pub(crate) struct Primitive {
     /// Takes points to the space in which the shape's own uv coordinates are defined, where
     /// folding a transform into the shape changed that.
     pub(crate) uv_from_group: Option<Box<Transform>>,
-    pub(crate) appearance: u32,
+    pub(crate) appearance: AppearanceId,
 }
 
 impl Primitive {
@@ -210,7 +210,7 @@ pub(crate) struct Node {
     pub(crate) bounded_by: Box<[NodeId]>,
     pub(crate) hidden_from: RayMask,
     /// Of the solid itself, at its root.
-    pub(crate) appearance: u32,
+    pub(crate) appearance: AppearanceId,
     /// What this is a child of; `None` for roots, clips and bounds.
     pub(crate) parent: Option<Parent>,
     /// Crossings are taken in reverse order an odd number of times on their way from here to the root.
@@ -256,7 +256,7 @@ impl Node {
             clips: Box::default(),
             bounded_by: Box::default(),
             hidden_from: RayMask::default(),
-            appearance: 0,
+            appearance: AppearanceId::default(),
             parent: None,
             is_reversed: false,
         }
@@ -274,10 +274,8 @@ pub(crate) struct Placement {
 /// How an object appears, as far as it says; `None` is left to what contains it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Appearance {
-    /// Index of a placement.
-    pub(crate) texture: Option<u32>,
-    /// Index of a placement.
-    pub(crate) interior_texture: Option<u32>,
+    pub(crate) texture: Option<PlacementId>,
+    pub(crate) interior_texture: Option<PlacementId>,
     pub(crate) interior: Option<InteriorId>,
     pub(crate) uv_mapping: bool,
     pub(crate) double_illuminate: Option<bool>,

@@ -27,7 +27,7 @@ pub use record::{Hit, InteriorKey, MAX_INSTANCE_DEPTH, RayKind, Surface, Texture
 pub use solid::Scratch;
 
 // What `compile` fills in.
-pub(crate) use super::handle::{GroupId, InstanceId, NodeId, PrimitiveId};
+pub(crate) use super::handle::{AppearanceId, GroupId, InstanceId, NodeId, PlacementId, PrimitiveId};
 pub(crate) use graph::{
     Appearance, Group, GroupBuilder, Instance, Item, ItemKind, Node, NodeKind, Operation, Parent, Placement, Primitive,
     RayMask, padded,
@@ -58,8 +58,8 @@ pub struct Geometry {
     pub(crate) instances: Table<InstanceId, Instance>,
     pub(crate) nodes: Table<NodeId, Node>,
     pub(crate) primitives: Table<PrimitiveId, Primitive>,
-    pub(crate) appearances: Vec<Appearance>,
-    pub(crate) placements: Vec<Placement>,
+    pub(crate) appearances: Table<AppearanceId, Appearance>,
+    pub(crate) placements: Table<PlacementId, Placement>,
     /// Of each interior, whether fog and media outside also fill its object.
     pub(crate) hollow: Table<InteriorId, bool>,
 }

@@ -1,6 +1,6 @@
 //! What a ray asks for and what it gets back.
 
-use crate::compiled::handle::{InstanceId, InteriorId, LightGroupId, ObjectId, PrimitiveId, TextureId};
+use crate::compiled::handle::{InstanceId, InteriorId, LightGroupId, ObjectId, PlacementId, PrimitiveId, TextureId};
 use crate::math::{DVec3, Range, Ray, Uv};
 use smallvec::SmallVec;
 
@@ -86,7 +86,7 @@ pub struct TextureRef {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum TexturePlace {
     /// Of a placement, inside so many instances of the hit's path.
-    Placement { index: u32, depth: u8 },
+    Placement { id: PlacementId, depth: u8 },
     /// Of the shape itself.
     Shape,
     /// Of a component of a blob, by its number.

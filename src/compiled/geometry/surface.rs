@@ -4,7 +4,7 @@ use super::Geometry;
 use super::graph::{Appearance, NodeKind, Operation, Primitive};
 use super::record::{Hit, InteriorKey, Path, Surface, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
-use crate::compiled::handle::{InstanceId, NodeId, ObjectId, PrimitiveId, Table, TextureId};
+use crate::compiled::handle::{AppearanceId, InstanceId, NodeId, ObjectId, PlacementId, PrimitiveId, Table, TextureId};
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
 use std::borrow::Cow;
@@ -56,7 +56,7 @@ impl Inherited<'_> {
 
 impl Geometry {
     /// The interior of an appearance, with the frame-level object.
-    pub(super) fn interior_of(&self, appearance: u32, path: &Path) -> Option<(ObjectId, InteriorKey)> {
+    pub(super) fn interior_of(&self, appearance: AppearanceId, path: &Path) -> Option<(ObjectId, InteriorKey)> {
         let inherited = self.appearance_of(appearance, path);
         inherited.appearance.interior.map(|_| (inherited.appearance.object, inherited.interior_key(path)))
     }
@@ -79,7 +79,7 @@ impl Geometry {
             Shape::Mesh(mesh) => mesh.tree.own_textures().iter().all(|texture| is_opaque(*texture)),
             _ => true,
         };
-        let blocks = |placement: u32| self.placements.get(placement as usize).is_some_and(|p| is_opaque(p.texture));
+        let blocks = |placement: PlacementId| self.placements.get(placement).is_some_and(|p| is_opaque(p.texture));
         own_block
             && appearance.cutaway.is_none()
             && appearance.texture.is_some_and(blocks)
@@ -142,9 +142,8 @@ impl Geometry {
             local.then(&world).inverse()
         };
         match seen.place {
-            TexturePlace::Placement { index, depth } => {
-                let placement =
-                    self.placements[index as usize].texture_from_group.as_deref().unwrap_or(&Transform::IDENTITY);
+            TexturePlace::Placement { id, depth } => {
+                let placement = self.placements[id].texture_from_group.as_deref().unwrap_or(&Transform::IDENTITY);
                 match self.world_from(&hit.path, depth.into()) {
                     None => Cow::Borrowed(placement),
                     Some(world_from_group) => Cow::Owned(world_from_group.inverse().then(placement)),
@@ -175,15 +174,15 @@ impl Geometry {
 
     /// An appearance with all that it inherits through the instances around it.
     #[inline]
-    fn appearance_of(&self, appearance: u32, path: &Path) -> Inherited<'_> {
-        let own = &self.appearances[appearance as usize];
+    fn appearance_of(&self, appearance: AppearanceId, path: &Path) -> Inherited<'_> {
+        let own = &self.appearances[appearance];
         let depth = path.steps().len() as u8;
         let depths = Depths { texture: depth, interior_texture: depth, interior: depth };
         let mut inherited = Inherited { appearance: Cow::Borrowed(own), depths };
         if depth > 0 {
             let appearance = inherited.appearance.to_mut();
             for (step, depth) in path.steps().iter().zip(0..depth).rev() {
-                let outer = &self.appearances[self.instances[*step].appearance as usize];
+                let outer = &self.appearances[self.instances[*step].appearance];
                 inherit(appearance, &mut inherited.depths, outer, depth);
             }
         }
@@ -250,7 +249,7 @@ impl Geometry {
             return own.into_iter().map(|(texture, weight)| TextureRef { texture, weight, place }).collect();
         }
         match appearance.cutaway {
-            Some(root) if self.appearances[primitive.appearance as usize].texture.is_none() => {
+            Some(root) if self.appearances[primitive.appearance].texture.is_none() => {
                 let cut = self.cutaway(root, point_group);
                 cut.into_iter().map(|(p, weight)| self.placed(p, weight, inherited.depths.texture)).collect()
             }
@@ -268,18 +267,18 @@ impl Geometry {
 
     /// A placement inside so many instances.
     #[inline]
-    fn placed(&self, placement: u32, weight: f32, depth: u8) -> TextureRef {
-        let texture = self.placements[placement as usize].texture;
-        TextureRef { texture, weight, place: TexturePlace::Placement { index: placement, depth } }
+    fn placed(&self, placement: PlacementId, weight: f32, depth: u8) -> TextureRef {
+        let texture = self.placements[placement].texture;
+        TextureRef { texture, weight, place: TexturePlace::Placement { id: placement, depth } }
     }
 
     /// Textures of the parts of a solid that contain a point of a cut, evenly weighted at each
     /// level (shape facts, section 10.5).
-    fn cutaway(&self, node: NodeId, point: DVec3) -> SmallVec<[(u32, f32); 2]> {
-        let mut found = SmallVec::<[(u32, f32); 2]>::new();
+    fn cutaway(&self, node: NodeId, point: DVec3) -> SmallVec<[(PlacementId, f32); 2]> {
+        let mut found = SmallVec::<[(PlacementId, f32); 2]>::new();
         match &self.nodes[node].kind {
             NodeKind::Primitive(p) => {
-                let texture = self.appearances[self.primitives[*p].appearance as usize].texture;
+                let texture = self.appearances[self.primitives[*p].appearance].texture;
                 found.extend(texture.map(|t| (t, 1.0)));
             }
             NodeKind::Csg { operation, children, is_difference, .. } => {
