@@ -1,4 +1,4 @@
-//! The whole scene: geometry first, then everything that its indices refer to.
+//! The whole scene: geometry first, then everything that its handles refer to.
 
 use super::geometry::{CompiledGeometry, PlacedLight, Watched};
 use super::picture::Pictures;

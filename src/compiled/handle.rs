@@ -83,6 +83,8 @@ handles! {
     pub struct InteriorId;
     /// A frame-level object (after union splitting), in file order.
     pub struct ObjectId;
+    /// An object or light group as the scene file wrote it, whose parts are one thing to a user.
+    pub struct StatementId;
     /// One of the light groups that `compile` collected.
     pub struct LightGroupId;
     /// A shape in its place.
@@ -100,7 +102,6 @@ handles! {
 }
 
 /// A list of things, or of facts about them, that are known by handles.
-#[derive(Clone)]
 pub struct Table<H, T> {
     entries: Vec<T>,
     handle: PhantomData<fn(H) -> H>,
@@ -196,5 +197,42 @@ impl<H, T> IntoIterator for Table<H, T> {
 
     fn into_iter(self) -> Self::IntoIter {
         self.entries.into_iter()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a number stands for in a table of three; it is told back as it was given.
+    fn check(number: u32, expected: Option<&str>) {
+        let names: Table<NodeId, _> = ["a", "b", "c"].into_iter().collect();
+        let handle = NodeId::new(number);
+        assert_eq!(names.get(handle).copied(), expected);
+        assert_eq!((handle.number(), format!("{handle:?}")), (number, format!("NodeId({number})")));
+    }
+
+    #[test]
+    fn a_handle_stands_for_the_entry_of_its_number() {
+        check(0, Some("a"));
+        check(2, Some("c"));
+        check(3, None);
+        check(u32::MAX - 1, None);
+        assert_eq!(NodeId::new(u32::MAX), NodeId::new(u32::MAX - 1));
+    }
+
+    #[test]
+    fn pushing_gives_the_handle_that_was_foretold() {
+        let mut names: Table<NodeId, _> = ["a", "b"].into_iter().collect();
+        let foretold = names.next_handle();
+        assert_eq!((names.push("c"), names[foretold]), (foretold, "c"));
+        assert_eq!(names.last(), Some((foretold, &"c")));
+        assert_eq!(names.handles_from(NodeId::new(1)).collect::<Vec<_>>(), [NodeId::new(1), foretold]);
+    }
+
+    #[test]
+    fn options_of_handles_take_no_room() {
+        assert_eq!(size_of::<Option<NodeId>>(), 4);
+        assert_eq!(size_of::<crate::compiled::geometry::Appearance>(), 28);
     }
 }

@@ -39,7 +39,7 @@ pub use watch::Watched;
 /// as zero, whatever the scale of the scene. Kept, because it decides which input degenerates.
 const POV_TINY: f64 = 1e-10;
 
-/// The geometry, with the lists that its indices refer to.
+/// The geometry, with the tables that its handles refer to.
 #[derive(Debug, Default)]
 pub struct CompiledGeometry {
     /// What rays meet.

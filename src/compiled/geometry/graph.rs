@@ -1,6 +1,6 @@
 //! The compiled scene graph: groups of items, shared through instances; solids as trees of nodes.
 //!
-//! All indices point into the lists of one [`Geometry`](super::Geometry). A group is a set of
+//! All handles are of the tables of one [`Geometry`](super::Geometry). A group is a set of
 //! objects that do not combine (a split union); its items live in the group's space. A solid is a
 //! tree whose parts combine; all its primitives share one space, so that surviving hits are
 //! decided in the same numbers in which they were found.

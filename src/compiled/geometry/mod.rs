@@ -22,7 +22,7 @@ mod span;
 mod surface;
 mod walk;
 
-pub use super::handle::{InteriorId, LightGroupId, ObjectId, TextureId};
+pub use super::handle::{InteriorId, LightGroupId, ObjectId, StatementId, TextureId};
 pub use record::{Hit, InteriorKey, MAX_INSTANCE_DEPTH, RayKind, Surface, TextureRef};
 pub use solid::Scratch;
 
@@ -48,7 +48,7 @@ use walk::{Blocking, Nearest, Walk};
 
 /// All objects of a scene, or of one object that is asked about.
 ///
-/// Every index in its lists is in range, instances nest at most [`MAX_INSTANCE_DEPTH`] deep, and
+/// Every handle in its tables stands for something, instances nest at most [`MAX_INSTANCE_DEPTH`] deep, and
 /// a primitive reached through no instance has an appearance without gaps: `compile` sees to that.
 #[derive(Debug, Default)]
 pub struct Geometry {
