@@ -1,12 +1,13 @@
-//! The whole scene: geometry first, then everything that its indices refer to.
+//! The whole scene: geometry first, then everything that its handles refer to.
 
 use super::geometry::{CompiledGeometry, PlacedLight, Watched};
 use super::picture::Pictures;
 use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
+use crate::compiled::geometry::{InteriorId, LightGroupId};
 use crate::compiled::interior::{Interior, InteriorFade};
-use crate::compiled::{Features, Group, Settings, Transfer, World};
+use crate::compiled::{Features, Group, Settings, Table, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::noise::Octaves;
 use crate::math::{Color, DVec3};
@@ -49,7 +50,7 @@ pub fn compile_sharing(scene: &Scene, pictures: &Pictures) -> SourceResult<Compi
         super::geometry::compile(scene)?;
     let mut errors = Vec::new();
     let mut compiler = TextureCompiler::sharing(&scene.settings, pictures);
-    let textures: Vec<_> = textures
+    let textures: Table<_, _> = textures
         .iter()
         .filter_map(|t| {
             note(compiler.texture(t), || scene.objects.iter().find_map(|o| span_of_texture(o, t)), &mut errors)
@@ -98,9 +99,9 @@ fn span_of_texture(object: &Object, texture: &Arc<Texture>) -> Option<Span> {
 /// Global lights first, then those of each group.
 fn place_lights(
     placed: Vec<PlacedLight>,
-    groups: &[super::geometry::LightGroup],
+    groups: &Table<LightGroupId, super::geometry::LightGroup>,
     warnings: &mut Vec<Diagnostic>,
-) -> SourceResult<(Vec<crate::compiled::light::Light>, usize, Vec<Group>)> {
+) -> SourceResult<(Vec<crate::compiled::light::Light>, usize, Table<LightGroupId, Group>)> {
     let mut lights = Vec::with_capacity(placed.len());
     let mut add = |members: &mut dyn Iterator<Item = &PlacedLight>| -> SourceResult<std::ops::Range<usize>> {
         let first = lights.len();
@@ -111,9 +112,10 @@ fn place_lights(
         Ok(first..lights.len())
     };
     let global = add(&mut placed.iter().filter(|l| l.group.is_none()))?;
-    let mut compiled = Vec::with_capacity(groups.len());
-    for (i, group) in groups.iter().enumerate() {
-        let lights = add(&mut placed.iter().filter(|l| l.group.is_some_and(|g| g.0 as usize == i)))?;
+    let mut compiled = Table::with_capacity(groups.len());
+    for group in groups.iter() {
+        let id = compiled.next_handle();
+        let lights = add(&mut placed.iter().filter(|l| l.group == Some(id)))?;
         compiled.push(Group { lights, global_lights: group.global_lights });
     }
     Ok((lights, global.end, compiled))
@@ -121,7 +123,7 @@ fn place_lights(
 
 /// One for each, of which those of one statement are the same in memory, as most objects have the one that was never
 /// written, and those that are alike and follow each other.
-fn compiled_interiors(interiors: &[Arc<scene::Interior>]) -> Vec<Arc<Interior>> {
+fn compiled_interiors(interiors: &Table<InteriorId, Arc<scene::Interior>>) -> Table<InteriorId, Arc<Interior>> {
     let mut known = FxHashMap::default();
     let mut last: Option<Arc<Interior>> = None;
     let mut compiled = |i: &Arc<scene::Interior>| {
@@ -231,7 +233,11 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
 }
 
 /// What a Whitted renderer leaves out is said once for each feature.
-fn warn_about_media(scene: &Scene, interiors: &[Arc<scene::Interior>], warnings: &mut Vec<Diagnostic>) {
+fn warn_about_media(
+    scene: &Scene,
+    interiors: &Table<InteriorId, Arc<scene::Interior>>,
+    warnings: &mut Vec<Diagnostic>,
+) {
     let media = !scene.media.is_empty() || interiors.iter().any(|i| !i.media.is_empty());
     let left_out = [
         (media, "`media` is not rendered"),

@@ -1,6 +1,6 @@
 //! Names of objects and textures, for layers that tell them apart.
 
-use super::geometry::{ObjectId, TextureId};
+use super::handle::{ObjectId, StatementId, Table, TextureId};
 use std::sync::Arc;
 
 /// Finds the name of anything that a ray can meet.
@@ -11,34 +11,34 @@ use std::sync::Arc;
 /// ```
 /// use whitted::compiled::Labels;
 /// use whitted::compiled::geometry::TextureId;
-/// assert_eq!(Labels::default().texture(TextureId(7)), "texture.007");
+/// assert_eq!(Labels::default().texture(TextureId::new(7)), "texture.007");
 /// ```
 #[derive(Debug, Default)]
 pub struct Labels {
     /// What stands before the number.
     pub bases: Vec<Arc<str>>,
-    /// By statement: index of the base, and how many had it before.
-    pub statements: Vec<[u32; 2]>,
-    /// By [`ObjectId`]: the statement that the object belongs to.
-    pub statement_of: Vec<u32>,
+    /// Of each statement, the position of its base and how many had it before.
+    pub statements: Table<StatementId, [u32; 2]>,
+    /// The statement that an object belongs to.
+    pub statement_of: Table<ObjectId, StatementId>,
 }
 
 impl Labels {
     /// Which statement an object belongs to: all its parts are one thing to a user.
-    pub fn statement(&self, id: ObjectId) -> u32 {
-        self.statement_of.get(id.0 as usize).copied().unwrap_or(u32::MAX)
+    pub fn statement(&self, id: ObjectId) -> StatementId {
+        self.statement_of.get(id).copied().unwrap_or(StatementId::new(u32::MAX))
     }
 
     /// The name of a statement's object.
-    pub fn object(&self, statement: u32) -> String {
-        let found = self.statements.get(statement as usize);
+    pub fn object(&self, statement: StatementId) -> String {
+        let found = self.statements.get(statement);
         let base = found.and_then(|[base, _]| self.bases.get(*base as usize));
-        numbered(base.map_or("object", |b| b), found.map_or(statement, |[_, number]| *number))
+        numbered(base.map_or("object", |b| b), found.map_or(statement.number(), |[_, number]| *number))
     }
 
     /// The name of a texture: textures are numbered in the order in which objects use them.
     pub fn texture(&self, id: TextureId) -> String {
-        numbered("texture", id.0)
+        numbered("texture", id.number())
     }
 }
 

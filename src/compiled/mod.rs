@@ -1,13 +1,14 @@
 //! What rays meet: geometry here, textures and lights beside it.
 //!
 //! Plain data without spans or paths, made by [`compile`](crate::compile); knows nothing
-//! of the scene description. Indices ([`TextureId`](geometry::TextureId),
-//! [`InteriorId`](geometry::InteriorId)) refer to lists that `compile` hands on.
+//! of the scene description. Things refer to each other by
+//! handles ([`TextureId`](geometry::TextureId), [`InteriorId`](geometry::InteriorId)) into the [`Table`]s of one scene.
 
 pub mod atmosphere;
 pub mod camera;
 mod features;
 pub mod geometry;
+mod handle;
 pub mod interior;
 mod labels;
 pub mod light;
@@ -16,5 +17,6 @@ pub mod texture;
 mod world;
 
 pub use features::Features;
+pub use handle::{Handle, Table};
 pub use labels::Labels;
 pub use world::{Group, Settings, Transfer, World};

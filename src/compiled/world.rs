@@ -4,6 +4,7 @@ use super::atmosphere::Atmosphere;
 use super::camera::Camera;
 use super::features::Features;
 use super::geometry::{Geometry, InteriorId, LightGroupId, TextureId};
+use super::handle::Table;
 use super::interior::Interior;
 use super::labels::Labels;
 use super::light::Light;
@@ -11,23 +12,23 @@ use super::texture::Texture;
 use crate::math::Rgb;
 use std::sync::Arc;
 
-/// A compiled scene. Every index in the geometry is valid here.
+/// A compiled scene. Every handle in the geometry is valid here.
 #[derive(Debug)]
 pub struct World {
     /// What rays meet.
     pub geometry: Geometry,
-    /// By [`TextureId`].
-    pub textures: Vec<Texture>,
-    /// By texture: whether no light comes through anywhere.
-    pub opaque: Vec<bool>,
-    /// By [`InteriorId`].
-    pub interiors: Vec<Arc<Interior>>,
+    /// How surfaces look.
+    pub textures: Table<TextureId, Texture>,
+    /// Of each texture, whether no light comes through anywhere.
+    pub opaque: Table<TextureId, bool>,
+    /// What fills objects.
+    pub interiors: Table<InteriorId, Arc<Interior>>,
     /// Lights of the whole scene, in file order, then those of groups.
     pub lights: Vec<Light>,
     /// How many of `lights` are global.
     pub n_global_lights: usize,
-    /// By light group: which lights, and whether global ones shine there, too.
-    pub groups: Vec<Group>,
+    /// Which lights are in a group, and whether global ones shine there, too.
+    pub groups: Table<LightGroupId, Group>,
     /// Where the picture is taken from.
     pub camera: Camera,
     /// Sky and fog.
@@ -103,19 +104,19 @@ impl Transfer {
 }
 
 impl World {
-    /// The texture behind an index.
+    /// The texture behind a handle.
     pub fn texture(&self, id: TextureId) -> &Texture {
-        &self.textures[id.0 as usize]
+        &self.textures[id]
     }
 
-    /// The interior behind an index.
+    /// The interior behind a handle.
     pub fn interior(&self, id: InteriorId) -> &Interior {
-        &self.interiors[id.0 as usize]
+        &self.interiors[id]
     }
 
     /// Indices of the lights that shine on a member of a group, or on anything outside of groups.
     pub fn lights_for(&self, group: Option<LightGroupId>) -> impl Iterator<Item = usize> + use<> {
-        let group = group.map(|g| self.groups[g.0 as usize].clone());
+        let group = group.map(|g| self.groups[g].clone());
         let global = group.as_ref().is_none_or(|g| g.global_lights);
         (0..if global { self.n_global_lights } else { 0 }).chain(group.map_or(0..0, |g| g.lights))
     }

@@ -90,7 +90,7 @@ mod tests {
     fn raster(session: &Session, scene: &str, picture: &[u8]) -> Arc<Raster> {
         let host = Memory::new([("a.pov", scene)]).with("a.ppm", picture.to_vec());
         let ready = session.compile("a.pov".as_ref(), &Options::default(), &host).expect("a right scene");
-        let Some(Texture::Layers(layers)) = ready.world.textures.last() else { panic!("no plain texture") };
+        let Some(Texture::Layers(layers)) = ready.world.textures.iter().next_back() else { panic!("no plain texture") };
         let Pigment::Image(_, map) = &layers[0].pigment else { panic!("no picture") };
         Arc::clone(&map.raster)
     }

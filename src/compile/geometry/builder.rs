@@ -5,14 +5,16 @@
 
 use super::census::{Census, Entry};
 use super::height_field::GridKey;
+use super::inherit::{Context, TextureParts, last_hollow};
 use super::labels::Labeler;
-use super::looks::{Context, TextureParts, last_hollow};
 use super::primitive::fold;
 use super::quadric_reach::within;
 use super::room::{extent, gap};
+use crate::compiled::Table;
 use crate::compiled::geometry::{
-    Cuboid, Geometry, Group, Instance, Item, ItemKind, MAX_INSTANCE_DEPTH, Members, MeshTree, Node, NodeKind, ObjectId,
-    Operation, Parts, Place, Primitive, Shape as Compiled, TextureId, padded,
+    Cuboid, Geometry, Group, GroupBuilder, GroupId, Instance, InteriorId, Item, ItemKind, LightGroupId,
+    MAX_INSTANCE_DEPTH, MeshTree, Node, NodeId, NodeKind, ObjectId, Operation, Parent, Parts, PlacementId, Primitive,
+    PrimitiveId, Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
@@ -33,7 +35,7 @@ pub(super) fn can_be_shared(facts: Entry, object: &Object, splits: bool) -> bool
 /// A shared group, once it is built.
 #[derive(Clone, Copy)]
 struct Shared {
-    group: u32,
+    group: GroupId,
     /// Instances inside each other, this one included.
     height: usize,
 }
@@ -42,13 +44,13 @@ struct Shared {
 pub(super) struct Builder<'a> {
     pub(super) census: &'a Census,
     pub(super) geometry: Geometry,
-    pub(super) textures: Vec<Arc<Texture>>,
+    pub(super) textures: Table<TextureId, Arc<Texture>>,
     pub(super) texture_ids: FxHashMap<*const Texture, TextureId>,
     pub(super) layered_ids: FxHashMap<TextureParts, TextureId>,
-    pub(super) placement_ids: FxHashMap<(TextureId, [[u64; 3]; 4]), u32>,
+    pub(super) placement_ids: FxHashMap<(TextureId, [[u64; 3]; 4]), PlacementId>,
     /// Of textures where they were written, as most are.
-    pub(super) unmoved_ids: FxHashMap<*const Texture, u32>,
-    pub(super) interiors: Vec<Arc<Interior>>,
+    pub(super) unmoved_ids: FxHashMap<*const Texture, PlacementId>,
+    pub(super) interiors: Table<InteriorId, Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
     pub(super) height_grids: FxHashMap<GridKey, Arc<crate::compiled::geometry::HeightGrid>>,
     /// By the object as it was first declared.
@@ -64,20 +66,20 @@ impl<'a> Builder<'a> {
     /// With room for so many simple objects: most scenes of many objects have little else.
     pub(super) fn new(census: &'a Census, n_objects: usize) -> Self {
         let geometry = Geometry {
-            primitives: Vec::with_capacity(n_objects),
-            looks: Vec::with_capacity(n_objects),
-            hollow: Vec::with_capacity(n_objects),
+            primitives: Table::with_capacity(n_objects),
+            appearances: Table::with_capacity(n_objects),
+            hollow: Table::with_capacity(n_objects),
             ..Geometry::default()
         };
         Self {
             census,
             geometry,
-            textures: Vec::new(),
+            textures: Table::default(),
             texture_ids: FxHashMap::default(),
             layered_ids: FxHashMap::default(),
             placement_ids: FxHashMap::default(),
             unmoved_ids: FxHashMap::default(),
-            interiors: Vec::with_capacity(n_objects),
+            interiors: Table::with_capacity(n_objects),
             meshes: FxHashMap::default(),
             height_grids: FxHashMap::default(),
             watched: FxHashMap::default(),
@@ -90,14 +92,20 @@ impl<'a> Builder<'a> {
     }
 
     /// Places a frame-level object.
-    pub(super) fn place_root(&mut self, object: &Object, default: &Arc<Texture>, split: bool, items: &mut Members) {
+    pub(super) fn place_root(
+        &mut self,
+        object: &Object,
+        default: &Arc<Texture>,
+        split: bool,
+        items: &mut GroupBuilder,
+    ) {
         let mut around = Context::bare();
         around.default_texture = Some(self.unmoved(default));
         self.place_frame(object, around, split, items);
     }
 
     /// An object at frame level, or a member of a light group: owns an interior.
-    fn place_frame(&mut self, object: &Object, mut around: Context, split: bool, items: &mut Members) {
+    fn place_frame(&mut self, object: &Object, mut around: Context, split: bool, items: &mut GroupBuilder) {
         self.labeler.begin(object);
         if object.interior.is_none() && !matches!(object.shape, Shape::LightGroup { .. }) {
             let hollow = last_hollow(object, around.hollow);
@@ -107,14 +115,21 @@ impl<'a> Builder<'a> {
     }
 
     /// Places an object in a group. `height` grows to that of the instances inside.
-    fn place(&mut self, object: &Object, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
+    fn place(&mut self, object: &Object, around: &Context, split: bool, items: &mut GroupBuilder, height: &mut usize) {
         let outer = self.labeler.enter(object);
         roomy(|| self.place_kind(object, around, split, items, height));
         self.labeler.leave(outer);
     }
 
     /// The same, by its kind.
-    fn place_kind(&mut self, object: &Object, around: &Context, split: bool, items: &mut Members, height: &mut usize) {
+    fn place_kind(
+        &mut self,
+        object: &Object,
+        around: &Context,
+        split: bool,
+        items: &mut GroupBuilder,
+        height: &mut usize,
+    ) {
         match &object.shape {
             Shape::LightSource(light) => {
                 if let Some(looks) = &light.looks_like {
@@ -124,7 +139,7 @@ impl<'a> Builder<'a> {
             }
             Shape::LightGroup { children, .. } => {
                 let mut inside = self.enter(object, around);
-                inside.light_group = Some(crate::compiled::geometry::LightGroupId(self.n_light_groups));
+                inside.light_group = Some(LightGroupId::new(self.n_light_groups));
                 self.n_light_groups += 1;
                 for child in children.iter() {
                     self.place_frame(child, inside.clone(), split, items);
@@ -147,83 +162,81 @@ impl<'a> Builder<'a> {
             _ if object.rare.clipped_by.is_empty() && !is_bounded(object) => {
                 let inside = self.enter(object, around);
                 let id = self.labeler.object_id();
-                if let Some(index) = self.primitive(object, &inside, id) {
-                    self.push_primitive(index, &inside, items);
+                if let Some(primitive) = self.primitive(object, &inside, id) {
+                    self.push_primitive(primitive, &inside, items);
                 }
             }
             _ => self.place_solid(object, around, items),
         }
     }
 
-    fn push_primitive(&mut self, index: u32, inside: &Context, items: &mut Members) {
-        let primitive = &self.geometry.primitives[index as usize];
+    fn push_primitive(&mut self, id: PrimitiveId, inside: &Context, items: &mut GroupBuilder) {
+        let primitive = &self.geometry.primitives[id];
         let kind = match (&primitive.shape, &primitive.group_from_local) {
-            (Compiled::Sphere(sphere), None) => ItemKind::Sphere(*sphere, index),
-            (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, index),
-            _ => ItemKind::Primitive(index),
+            (Compiled::Sphere(sphere), None) => ItemKind::Sphere(*sphere, id),
+            (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, id),
+            _ => ItemKind::Primitive(id),
         };
-        if !inside.skips().skips_all() {
-            items.push(Item { kind, skips: inside.skips() }, &primitive.bounds());
+        if !inside.hidden_from().is_all() {
+            items.push(Item { kind, hidden_from: inside.hidden_from() }, &primitive.bounds());
         }
     }
 
-    fn place_solid(&mut self, object: &Object, around: &Context, items: &mut Members) {
+    fn place_solid(&mut self, object: &Object, around: &Context, items: &mut GroupBuilder) {
         let id = self.labeler.object_id();
-        let root = self.geometry.nodes.len() as u32;
+        let root = self.geometry.nodes.next_handle();
         if self.node(object, around, id, true).is_some() {
             self.screen(root, object, around);
             self.link(root);
-            let node = &self.geometry.nodes[root as usize];
-            if !node.skips.skips_all() && !node.bounds.is_empty() {
-                items.push(Item { kind: ItemKind::Solid(root), skips: node.skips }, &node.bounds);
+            let node = &self.geometry.nodes[root];
+            if !node.hidden_from.is_all() && !node.bounds.is_empty() {
+                items.push(Item { kind: ItemKind::Solid(root), hidden_from: node.hidden_from }, &node.bounds);
             }
         }
     }
 
     /// Leaves the rays that miss POV-Ray's box of a solid with nothing, where that box may be too small: a height field
     /// is solid below its own.
-    fn screen(&mut self, root: u32, object: &Object, around: &Context) {
+    fn screen(&mut self, root: NodeId, object: &Object, around: &Context) {
         let Geometry { nodes, primitives, .. } = &mut self.geometry;
         let is_field = |node: &Node| {
             let NodeKind::Primitive(p) = node.kind else { return false };
-            matches!(primitives[p as usize].shape, Compiled::HeightField(_))
+            matches!(primitives[p].shape, Compiled::HeightField(_))
         };
-        if !nodes[root as usize..].iter().any(is_field) {
+        if !nodes.handles_from(root).any(|id| is_field(&nodes[id])) {
             return;
         }
         let screen = padded(around.group_from_parent.bounds(&super::extent::extent(object)));
-        let screen = match nodes[root as usize].kind {
-            NodeKind::Primitive(p) => within(&primitives[p as usize], &screen, true),
+        let screen = match nodes[root].kind {
+            NodeKind::Primitive(p) => within(&primitives[p], &screen, true),
             NodeKind::Csg { .. } => screen,
         };
         if !screen.is_finite() {
             return;
         }
-        primitives.push(Primitive {
+        let screening = primitives.push(Primitive {
             shape: Compiled::Cuboid(Cuboid { min: screen.min, max: screen.max }),
             group_from_local: None,
             inverse: false,
             uv_from_group: None,
-            look: nodes[root as usize].look,
+            appearance: nodes[root].appearance,
         });
-        let kind = NodeKind::Primitive(primitives.len() as u32 - 1);
-        nodes.push(Node { kind, bounds: screen, extent: screen, ..Node::placeholder() });
-        let bound = nodes.len() as u32 - 1;
-        let bounded_by = &mut nodes[root as usize].bounded_by;
+        let kind = NodeKind::Primitive(screening);
+        let bound = nodes.push(Node { kind, bounds: screen, extent: screen, ..Node::placeholder() });
+        let bounded_by = &mut nodes[root].bounded_by;
         *bounded_by = bounded_by.iter().copied().chain([bound]).collect();
     }
 
     /// Tells the nodes of a solid what they are parts of.
-    fn link(&mut self, root: u32) {
+    fn link(&mut self, root: NodeId) {
+        let nodes = &mut self.geometry.nodes;
         // What is around a node stands before it.
-        for index in root..self.geometry.nodes.len() as u32 {
-            let (known, inner) = self.geometry.nodes.split_at_mut(index as usize + 1);
-            let Some(node) = known.last() else { return };
-            let NodeKind::Csg { children, .. } = &node.kind else { continue };
-            for (position, child) in (0..).zip(children) {
-                let child = &mut inner[(child - index) as usize - 1];
-                child.around = Some(Place { node: index, position });
-                child.is_reversed = node.is_reversed != node.reverses();
+        for id in nodes.handles_from(root) {
+            let is_reversed = nodes[id].is_reversed != nodes[id].reverses();
+            for position in 0..nodes[id].children().len() {
+                let child = nodes[id].children()[position];
+                nodes[child].parent = Some(Parent { node: id, position: position as u32 });
+                nodes[child].is_reversed = is_reversed;
             }
         }
     }
@@ -235,7 +248,7 @@ impl<'a> Builder<'a> {
         children: &Arc<[Arc<Object>]>,
         inside: &Context,
         splits: bool,
-        items: &mut Members,
+        items: &mut GroupBuilder,
         height: &mut usize,
     ) -> bool {
         if !can_be_shared(self.census.of(children), object, splits) || inside.cutaway || !splits && inside.inverse {
@@ -256,20 +269,19 @@ impl<'a> Builder<'a> {
         }
         *height = (*height).max(shared.height);
         let id = self.labeler.object_id();
-        let look = self.add_look(inside.look(id));
+        let appearance = self.add_appearance(inside.appearance(id));
         let parent_from_group = inside.group_from_parent;
-        let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group as usize].bounds));
-        let index = self.geometry.instances.len() as u32;
-        self.geometry.instances.push(Instance { group: shared.group, parent_from_group, look });
-        if !inside.skips().skips_all() {
-            items.push(Item { kind: ItemKind::Instance(index), skips: inside.skips() }, &bounds);
+        let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group].bounds));
+        let instance = self.geometry.instances.push(Instance { group: shared.group, parent_from_group, appearance });
+        if !inside.hidden_from().is_all() {
+            items.push(Item { kind: ItemKind::Instance(instance), hidden_from: inside.hidden_from() }, &bounds);
         }
         true
     }
 
     /// Builds contents once, as they are without anything around them.
     fn build_shared(&mut self, object: &Object, children: &Arc<[Arc<Object>]>, splits: bool) -> Shared {
-        let mut items = Members::with_capacity(0);
+        let mut items = GroupBuilder::with_capacity(0);
         let mut height = 0;
         if splits {
             for child in children.iter() {
@@ -279,42 +291,41 @@ impl<'a> Builder<'a> {
             let bare = Object { flags: Default::default(), ..Object::new(object.shape.clone(), object.span) };
             self.place_solid(&bare, &Context::bare(), &mut items);
         }
-        self.geometry.groups.push(Group::new(items));
-        Shared { group: self.geometry.groups.len() as u32 - 1, height: height + 1 }
+        let group = self.geometry.groups.push(Group::new(items));
+        Shared { group, height: height + 1 }
     }
 
     /// Builds an object as a part of a solid; `None` for what has no surface.
-    fn node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
+    fn node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<NodeId> {
         roomy(|| self.whole_node(object, around, id, is_root))
     }
 
-    fn whole_node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<u32> {
+    fn whole_node(&mut self, object: &Object, around: &Context, id: ObjectId, is_root: bool) -> Option<NodeId> {
         if let Shape::LightSource(light) = &object.shape {
             let looks = light.looks_like.clone()?;
             return self.node(&looks, &Context { no_shadow: true, ..around.clone() }, id, is_root);
         }
         let mut inside = self.enter(object, around);
-        let index = self.geometry.nodes.len();
-        self.geometry.nodes.push(Node::placeholder());
-        let mut node = Node { skips: inside.skips(), ..Node::placeholder() };
+        let own = self.geometry.nodes.push(Node::placeholder());
+        let mut node = Node { hidden_from: inside.hidden_from(), ..Node::placeholder() };
         match &object.shape {
             Shape::Csg { operation, children } => {
                 if is_root && self.cuts_away(object, &inside) {
-                    inside.cutaway_root = Some(index as u32);
+                    inside.cutaway_root = Some(own);
                 }
-                node.look = self.add_look(Context { cutaway_root: None, ..inside.clone() }.look(id));
+                node.appearance = self.add_appearance(Context { cutaway_root: None, ..inside.clone() }.appearance(id));
                 self.combine(*operation, children, &inside, id, &mut node);
             }
             Shape::LightGroup { children, .. } => {
-                inside.light_group = Some(crate::compiled::geometry::LightGroupId(self.n_light_groups));
+                inside.light_group = Some(LightGroupId::new(self.n_light_groups));
                 self.n_light_groups += 1;
-                node.look = self.add_look(inside.look(id));
+                node.appearance = self.add_appearance(inside.appearance(id));
                 self.combine(CsgOperation::Union, children, &inside, id, &mut node);
             }
             _ => {
                 let primitive = self.primitive(object, &inside, id)?;
-                let compiled = &self.geometry.primitives[primitive as usize];
-                node.look = compiled.look;
+                let compiled = &self.geometry.primitives[primitive];
+                node.appearance = compiled.appearance;
                 node.bounds = compiled.bounds();
                 node.extent = extent(compiled);
                 node.gap = gap(compiled);
@@ -329,7 +340,7 @@ impl<'a> Builder<'a> {
                 object.rare.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
         }
         for clip in &node.clips {
-            let clip = &self.geometry.nodes[*clip as usize];
+            let clip = &self.geometry.nodes[*clip];
             node.bounds = node.bounds.intersection(&clip.extent);
             node.extent = node.extent.intersection(&clip.extent);
             node.gap = node.gap.union(&clip.gap);
@@ -337,7 +348,7 @@ impl<'a> Builder<'a> {
         if !node.clips.is_empty()
             && let NodeKind::Primitive(p) = node.kind
         {
-            let primitive = &self.geometry.primitives[p as usize];
+            let primitive = &self.geometry.primitives[p];
             node.bounds = within(primitive, &node.bounds, true);
             node.extent = within(primitive, &node.extent, false);
         }
@@ -346,14 +357,14 @@ impl<'a> Builder<'a> {
             let place = &around.group_from_parent;
             node.bounds = node.bounds.intersection(&padded(place.bounds(&shrunken)));
         }
-        self.geometry.nodes[index] = node;
-        Some(index as u32)
+        self.geometry.nodes[own] = node;
+        Some(own)
     }
 
     /// The part of a box that a node's surface, or its surface and inside, can reach.
-    fn reach(&self, node: u32, around: &Bounds, surface_only: bool) -> Bounds {
-        match self.geometry.nodes[node as usize].kind {
-            NodeKind::Primitive(p) => within(&self.geometry.primitives[p as usize], around, surface_only),
+    fn reach(&self, node: NodeId, around: &Bounds, surface_only: bool) -> Bounds {
+        match self.geometry.nodes[node].kind {
+            NodeKind::Primitive(p) => within(&self.geometry.primitives[p], around, surface_only),
             NodeKind::Csg { .. } => *around,
         }
     }
@@ -402,33 +413,32 @@ impl<'a> Builder<'a> {
             built.extend(self.node(child, &around, id, false));
         }
         let nodes = &self.geometry.nodes;
-        let hull =
-            |f: fn(&Node) -> Bounds| built.iter().fold(Bounds::EMPTY, |sum, n| sum.union(&f(&nodes[*n as usize])));
+        let hull = |f: fn(&Node) -> Bounds| built.iter().fold(Bounds::EMPTY, |sum, n| sum.union(&f(&nodes[*n])));
         node.bounds = hull(|n| n.bounds);
         if compiled == Operation::Intersection {
             let common = |skip: usize| {
                 let others = built.iter().enumerate().filter(|(i, _)| *i != skip);
-                others.fold(Bounds::INFINITE, |b, (_, n)| b.intersection(&nodes[*n as usize].extent))
+                others.fold(Bounds::INFINITE, |b, (_, n)| b.intersection(&nodes[*n].extent))
             };
-            let inside = |n: u32, around: Bounds| self.reach(n, &around, false);
+            let inside = |n: NodeId, around: Bounds| self.reach(n, &around, false);
             node.extent = built.iter().fold(common(usize::MAX), |around, n| inside(*n, around));
             // A child's surface survives only inside the others; quadratic, so only for a few.
             if built.len() <= 16 {
                 node.bounds = built.iter().enumerate().fold(Bounds::EMPTY, |sum, (i, n)| {
-                    let around = nodes[*n as usize].bounds.intersection(&common(i)).intersection(&node.extent);
+                    let around = nodes[*n].bounds.intersection(&common(i)).intersection(&node.extent);
                     sum.union(&self.reach(*n, &around, true))
                 });
             } else if let Some(first) = built.first() {
                 // Whatever survives lies on one child and inside all others.
-                let rest = nodes[*first as usize].bounds.union(&nodes[*first as usize].extent);
+                let rest = nodes[*first].bounds.union(&nodes[*first].extent);
                 node.bounds = node.bounds.intersection(&rest);
             }
             node.gap = hull(|n| n.gap);
         } else {
             node.extent = hull(|n| n.extent);
-            node.gap = built.iter().fold(Bounds::INFINITE, |gap, n| gap.intersection(&nodes[*n as usize].gap));
+            node.gap = built.iter().fold(Bounds::INFINITE, |gap, n| gap.intersection(&nodes[*n].gap));
         }
-        let boxes = |f: fn(&Node) -> Bounds| built.iter().map(|n| f(&nodes[*n as usize])).collect::<Vec<_>>();
+        let boxes = |f: fn(&Node) -> Bounds| built.iter().map(|n| f(&nodes[*n])).collect::<Vec<_>>();
         let says = boxes(if compiled == Operation::Intersection { |n| n.gap } else { |n| n.extent });
         let confines = |i: &u32| self.geometry.confines(built[*i as usize]);
         let confining = match compiled {
@@ -445,21 +455,20 @@ impl<'a> Builder<'a> {
     }
 
     /// Adds the primitive of an object; `None` with a message, or silently where nothing shows.
-    fn primitive(&mut self, object: &Object, inside: &Context, id: ObjectId) -> Option<u32> {
+    fn primitive(&mut self, object: &Object, inside: &Context, id: ObjectId) -> Option<PrimitiveId> {
         let mut inverse = inside.inverse && !is_patch(&object.shape);
         let folded = match super::freeform::convert(self, object, inside) {
             Some(converted) => converted?,
             None => fold(&object.shape, inside.group_from_parent, &mut inverse)?,
         };
-        let look = self.add_look(inside.look(id));
-        self.geometry.primitives.push(Primitive {
+        let appearance = self.add_appearance(inside.appearance(id));
+        Some(self.geometry.primitives.push(Primitive {
             shape: folded.shape,
             group_from_local: folded.group_from_local.map(Box::new),
             inverse,
             uv_from_group: folded.uv_from_group.map(Box::new),
-            look,
-        });
-        Some(self.geometry.primitives.len() as u32 - 1)
+            appearance,
+        }))
     }
 }
 

@@ -182,7 +182,7 @@ fn keeps_directions(place: &Transform) -> bool {
 fn compiled(object: &Object, other: impl Fn(&Compiled) -> Option<Bounds>) -> Bounds {
     let bare = Object { place: object.place.clone(), ..Object::new(object.shape.clone(), object.span) };
     let Ok(geometry) = compile_object(&Arc::new(bare)) else { return Bounds::INFINITE };
-    let Some(primitive) = geometry.primitives.first() else { return Bounds::EMPTY };
+    let Some(primitive) = geometry.primitives.iter().next() else { return Bounds::EMPTY };
     let local = other(&primitive.shape).unwrap_or_else(|| primitive.local_bounds());
     primitive.group_from_local.as_ref().map_or(local, |place| moved(&local, place))
 }

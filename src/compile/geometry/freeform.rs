@@ -4,7 +4,7 @@ use super::POV_TINY;
 use super::builder::Builder;
 use super::height_field::{grid_key, height_grid};
 use super::implicit;
-use super::looks::Context;
+use super::inherit::Context;
 use super::primitive::Folded;
 use super::sweep;
 use crate::compiled::geometry::{Blob, BlobPart, Core, HeightField, Mesh, MeshData, MeshTree, Shape as Compiled};

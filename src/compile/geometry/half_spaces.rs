@@ -5,7 +5,7 @@
 //! proof of a bound, so that rounding and an early end cost tightness and never correctness.
 //! Source: Chvátal, Linear Programming, 1983, chapter 10 (the dual simplex method).
 
-use crate::compiled::geometry::{Geometry, Node, NodeKind, Operation, PLANE_BOUNDARY, Shape, padded};
+use crate::compiled::geometry::{Geometry, Node, NodeId, NodeKind, Operation, PLANE_BOUNDARY, Shape, padded};
 use crate::math::{Bounds, DVec3, gamma};
 use glam::DMat3;
 
@@ -37,7 +37,7 @@ pub(super) fn tighten(geometry: &Geometry, node: &mut Node) {
     };
     node.extent = within(&node.extent, &around);
     if let NodeKind::Primitive(p) = node.kind
-        && let Shape::Plane(plane) = &geometry.primitives[p as usize].shape
+        && let Shape::Plane(plane) = &geometry.primitives[p].shape
     {
         around.extend([plane.normal, -plane.normal].map(|normal| {
             let distance = normal.dot(plane.normal) * plane.distance + PLANE_BOUNDARY;
@@ -48,10 +48,10 @@ pub(super) fn tighten(geometry: &Geometry, node: &mut Node) {
 }
 
 /// Half-spaces in which a node is inside, as far as planes and boxes say so.
-fn collect(geometry: &Geometry, index: u32, around: &mut Vec<HalfSpace>) {
-    let node = &geometry.nodes[index as usize];
+fn collect(geometry: &Geometry, id: NodeId, around: &mut Vec<HalfSpace>) {
+    let node = &geometry.nodes[id];
     match &node.kind {
-        NodeKind::Primitive(p) => match &geometry.primitives[*p as usize].shape {
+        NodeKind::Primitive(p) => match &geometry.primitives[*p].shape {
             Shape::Plane(plane) => {
                 around.push(HalfSpace { normal: plane.normal, distance: plane.distance + PLANE_BOUNDARY });
             }

@@ -1,7 +1,7 @@
 //! Which statement of the scene an object belongs to, and what it is called.
 
 use crate::compiled::Labels;
-use crate::compiled::geometry::ObjectId;
+use crate::compiled::geometry::{ObjectId, StatementId};
 use crate::scene::Object;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ pub(super) struct Statement {
     name: Option<Arc<str>>,
     kind: &'static str,
     /// Known as soon as a part was placed.
-    index: Option<u32>,
+    id: Option<StatementId>,
 }
 
 /// Gives out object ids.
@@ -28,7 +28,7 @@ pub(super) struct Labeler {
 impl Labeler {
     /// Starts a frame-level statement.
     pub(super) fn begin(&mut self, object: &Object) {
-        self.statement = Statement { name: object.name.clone(), kind: object.shape.kind(), index: None };
+        self.statement = Statement { name: object.name.clone(), kind: object.shape.kind(), id: None };
     }
 
     /// Goes into a part of a statement, which is one of its own if it is the first to have a name; gives back
@@ -37,7 +37,7 @@ impl Labeler {
         if self.statement.name.is_some() || object.name.is_none() {
             return None;
         }
-        let inner = Statement { name: object.name.clone(), kind: object.shape.kind(), index: None };
+        let inner = Statement { name: object.name.clone(), kind: object.shape.kind(), id: None };
         Some(std::mem::replace(&mut self.statement, inner))
     }
 
@@ -50,15 +50,14 @@ impl Labeler {
 
     /// The id of a new object within the current statement.
     pub(super) fn object_id(&mut self) -> ObjectId {
-        let index = match self.statement.index {
-            Some(index) => index,
+        let statement = match self.statement.id {
+            Some(statement) => statement,
             None => self.new_statement(),
         };
-        self.labels.statement_of.push(index);
-        ObjectId(self.labels.statement_of.len() as u32 - 1)
+        self.labels.statement_of.push(statement)
     }
 
-    fn new_statement(&mut self) -> u32 {
+    fn new_statement(&mut self) -> StatementId {
         let base = self.statement.name.as_deref().unwrap_or(self.statement.kind);
         let entry = match self.known.get_mut(base) {
             Some(entry) => entry,
@@ -68,11 +67,10 @@ impl Labeler {
                 self.known.entry(base).or_insert([self.labels.bases.len() as u32 - 1, 0])
             }
         };
-        self.labels.statements.push(*entry);
+        let id = self.labels.statements.push(*entry);
         entry[1] += 1;
-        let index = self.labels.statements.len() as u32 - 1;
-        self.statement.index = Some(index);
-        index
+        self.statement.id = Some(id);
+        id
     }
 
     /// All names.

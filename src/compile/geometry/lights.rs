@@ -34,11 +34,10 @@ pub(super) fn collect_lights(
             }
         }
         Shape::LightGroup { children, global_lights } => {
-            let id = LightGroupId(out.light_groups.len() as u32);
             // Of groups in groups the outermost decides.
-            let outer = group.and_then(|g| out.light_groups.get(g.0 as usize));
+            let outer = group.and_then(|g| out.light_groups.get(g));
             let global_lights = outer.map_or(*global_lights, |outer| outer.global_lights);
-            out.light_groups.push(LightGroup { global_lights });
+            let id = out.light_groups.push(LightGroup { global_lights });
             let world_from_shape = world_from_shape();
             for child in children.iter() {
                 roomy(|| collect_lights(child, &world_from_shape, Some(id), census, out));

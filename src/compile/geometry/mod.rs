@@ -8,9 +8,9 @@ mod freeform;
 mod half_spaces;
 mod height_field;
 mod implicit;
+mod inherit;
 mod labels;
 mod lights;
-mod looks;
 mod patch;
 mod primitive;
 mod quadric_reach;
@@ -21,8 +21,8 @@ mod tests;
 mod text;
 mod watch;
 
-use crate::compiled::Labels;
-use crate::compiled::geometry::{Geometry, Group, LightGroupId, Members};
+use crate::compiled::geometry::{Geometry, Group, GroupBuilder, InteriorId, LightGroupId, TextureId};
+use crate::compiled::{Labels, Table};
 use crate::diag::{Diagnostic, SourceResult};
 use crate::math::Transform;
 use crate::scene::{Interior, LightSource, Object, Scene, Settings, Texture};
@@ -39,20 +39,20 @@ pub use watch::Watched;
 /// as zero, whatever the scale of the scene. Kept, because it decides which input degenerates.
 const POV_TINY: f64 = 1e-10;
 
-/// The geometry, with the lists that its indices refer to.
+/// The geometry, with the tables that its handles refer to.
 #[derive(Debug, Default)]
 pub struct CompiledGeometry {
     /// What rays meet.
     pub geometry: Geometry,
-    /// What a `TextureId` stands for; each different texture once.
-    pub textures: Vec<Arc<Texture>>,
-    /// What an `InteriorId` stands for; one entry for each object that owns an interior.
-    pub interiors: Vec<Arc<Interior>>,
+    /// Each different texture once.
+    pub textures: Table<TextureId, Arc<Texture>>,
+    /// One for each object that owns an interior.
+    pub interiors: Table<InteriorId, Arc<Interior>>,
     /// Every light source of the scene, moved to world space.
     pub lights: Vec<PlacedLight>,
-    /// What a `LightGroupId` stands for.
-    pub light_groups: Vec<LightGroup>,
-    /// What an `ObjectId` stands for.
+    /// In file order.
+    pub light_groups: Table<LightGroupId, LightGroup>,
+    /// Names of objects and textures.
     pub labels: Labels,
     /// Isosurfaces that may have something to say after rendering, in file order.
     pub watched: Vec<Watched>,
@@ -72,7 +72,7 @@ pub struct PlacedLight {
 /// What a light group says about its members.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LightGroup {
-    /// Members are lit by global lights, too.
+    /// GroupBuilder are lit by global lights, too.
     pub global_lights: bool,
 }
 
@@ -115,7 +115,7 @@ fn build(objects: &[(&Object, &Arc<Texture>)], split: bool, max_parts: u64) -> S
         collect_lights(object, &Transform::IDENTITY, None, &census, &mut out);
     }
     let mut builder = Builder::new(&census, objects.len());
-    let mut items = Members::with_capacity(objects.len());
+    let mut items = GroupBuilder::with_capacity(objects.len());
     for (object, default) in objects {
         builder.place_root(object, default, split, &mut items);
     }

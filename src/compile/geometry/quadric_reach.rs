@@ -121,7 +121,7 @@ impl Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compiled::geometry::Quadric;
+    use crate::compiled::geometry::{AppearanceId, Quadric};
     use crate::math::Transform;
 
     /// A quadric along the axes, in the box, moved up by 2 and made twice as wide.
@@ -134,7 +134,7 @@ mod tests {
             group_from_local: Some(Box::new(place)),
             inverse: false,
             uv_from_group: None,
-            look: 0,
+            appearance: AppearanceId::default(),
         };
         let around = Bounds { min: around[0].into(), max: around[1].into() };
         let found = within(&primitive, &around, surface_only);

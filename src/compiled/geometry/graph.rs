@@ -1,22 +1,25 @@
 //! The compiled scene graph: groups of items, shared through instances; solids as trees of nodes.
 //!
-//! All indices point into the lists of one [`Geometry`](super::Geometry). A group is a set of
+//! All handles are of the tables of one [`Geometry`](super::Geometry). A group is a set of
 //! objects that do not combine (a split union); its items live in the group's space. A solid is a
 //! tree whose parts combine; all its primitives share one space, so that surviving hits are
 //! decided in the same numbers in which they were found.
 
 use super::bvh::{Box32, Bvh};
 use super::parts::Parts;
-use super::record::{InteriorId, LightGroupId, ObjectId, RayKind, TextureId};
+use super::record::RayKind;
 use super::shape::{Plane, Primitive as _, Shape, Sphere};
+use crate::compiled::handle::{
+    AppearanceId, GroupId, InstanceId, InteriorId, LightGroupId, NodeId, ObjectId, PlacementId, PrimitiveId, TextureId,
+};
 use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
 
-/// The kinds of ray that pass an object by.
+/// A set of kinds of ray. An object has one of those from which it is hidden, which pass it by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Skips(u8);
+pub(crate) struct RayMask(u8);
 
-impl Skips {
+impl RayMask {
     const IMAGE: u8 = 1;
     const REFLECTION: u8 = 2;
     const SHADOW: u8 = 4;
@@ -26,7 +29,7 @@ impl Skips {
         Self(bit(no_image, Self::IMAGE) | bit(no_reflection, Self::REFLECTION) | bit(no_shadow, Self::SHADOW))
     }
 
-    /// What passes a kind of ray by, of all that may.
+    /// A kind of ray by itself; a probe is none that anything can be hidden from.
     pub(crate) fn of(kind: RayKind) -> Self {
         Self(match kind {
             RayKind::Camera | RayKind::Refracted => Self::IMAGE,
@@ -37,12 +40,12 @@ impl Skips {
     }
 
     /// Whether they have a kind of ray in common.
-    pub(crate) fn meets(self, other: Self) -> bool {
+    pub(crate) fn intersects(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
 
-    /// Whether no kind of ray sees it.
-    pub(crate) fn skips_all(self) -> bool {
+    /// Whether these are all kinds that anything can be hidden from.
+    pub(crate) fn is_all(self) -> bool {
         self.0 == Self::IMAGE | Self::REFLECTION | Self::SHADOW
     }
 }
@@ -51,22 +54,22 @@ impl Skips {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ItemKind {
     /// A sphere in the group's own space, the data at hand.
-    Sphere(Sphere, u32),
+    Sphere(Sphere, PrimitiveId),
     /// The same for a plane, which every ray tries.
-    Plane(Plane, u32),
+    Plane(Plane, PrimitiveId),
     /// Any other primitive without clips.
-    Primitive(u32),
+    Primitive(PrimitiveId),
     /// A tree of nodes.
-    Solid(u32),
+    Solid(NodeId),
     /// A shared group in another place.
-    Instance(u32),
+    Instance(InstanceId),
 }
 
 /// An object of a group.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Item {
     pub(crate) kind: ItemKind,
-    pub(crate) skips: Skips,
+    pub(crate) hidden_from: RayMask,
 }
 
 /// Objects that do not combine.
@@ -83,15 +86,15 @@ pub(crate) struct Group {
 /// Items in a leaf: their tests are costly, boxes are cheap.
 const LEAF_SIZE: usize = 2;
 
-/// Items on their way into a group.
+/// A group under construction.
 #[derive(Debug)]
-pub(crate) struct Members {
+pub(crate) struct GroupBuilder {
     finite: Vec<(Item, Box32)>,
     infinite: Vec<Item>,
     bounds: Bounds,
 }
 
-impl Members {
+impl GroupBuilder {
     /// With room for so many finite ones.
     pub(crate) fn with_capacity(n: usize) -> Self {
         Self { finite: Vec::with_capacity(n), infinite: Vec::new(), bounds: Bounds::EMPTY }
@@ -110,7 +113,7 @@ impl Members {
 
 impl Group {
     /// Builds the hierarchy over items.
-    pub(crate) fn new(Members { finite, infinite, bounds }: Members) -> Self {
+    pub(crate) fn new(GroupBuilder { finite, infinite, bounds }: GroupBuilder) -> Self {
         let bounds = if infinite.is_empty() { bounds } else { Bounds::INFINITE };
         let (bvh, order) = Bvh::build(finite.par_iter().map(|(_, bounds)| *bounds), LEAF_SIZE);
         let items = order.iter().map(|i| finite[*i as usize].0).collect();
@@ -121,10 +124,10 @@ impl Group {
 /// A shared group in one place.
 #[derive(Clone, Debug)]
 pub(crate) struct Instance {
-    pub(crate) group: u32,
+    pub(crate) group: GroupId,
     pub(crate) parent_from_group: Transform,
     /// What the contents inherit.
-    pub(crate) look: u32,
+    pub(crate) appearance: AppearanceId,
 }
 
 /// A shape in its place.
@@ -138,7 +141,7 @@ pub(crate) struct Primitive {
     /// Takes points to the space in which the shape's own uv coordinates are defined, where
     /// folding a transform into the shape changed that.
     pub(crate) uv_from_group: Option<Box<Transform>>,
-    pub(crate) look: u32,
+    pub(crate) appearance: AppearanceId,
 }
 
 impl Primitive {
@@ -178,10 +181,10 @@ pub(crate) enum Operation {
 /// A part of a solid.
 #[derive(Clone, Debug)]
 pub(crate) enum NodeKind {
-    Primitive(u32),
+    Primitive(PrimitiveId),
     Csg {
         operation: Operation,
-        children: Box<[u32]>,
+        children: Box<[NodeId]>,
         /// Written as `difference`: cut faces take the texture of the first child alone.
         is_difference: bool,
         /// Of an intersection, positions of the children that contain nothing outside some stretch of a ray.
@@ -202,27 +205,35 @@ pub(crate) struct Node {
     /// Around all points outside; infinite where unknown.
     pub(crate) gap: Bounds,
     /// Nodes in which a hit must be.
-    pub(crate) clips: Box<[u32]>,
+    pub(crate) clips: Box<[NodeId]>,
     /// Nodes that a ray must meet, or start in.
-    pub(crate) bounded_by: Box<[u32]>,
-    pub(crate) skips: Skips,
+    pub(crate) bounded_by: Box<[NodeId]>,
+    pub(crate) hidden_from: RayMask,
     /// Of the solid itself, at its root.
-    pub(crate) look: u32,
-    /// The node that this is a child of; `None` for roots, clips and bounds.
-    pub(crate) around: Option<Place>,
+    pub(crate) appearance: AppearanceId,
+    /// What this is a child of; `None` for roots, clips and bounds.
+    pub(crate) parent: Option<Parent>,
     /// Crossings are taken in reverse order an odd number of times on their way from here to the root.
     pub(crate) is_reversed: bool,
 }
 
-/// A child's place in a node.
+/// What a node is a child of.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
-    pub(crate) node: u32,
-    /// Among the node's children.
+pub(crate) struct Parent {
+    pub(crate) node: NodeId,
+    /// This child's among the node's children.
     pub(crate) position: u32,
 }
 
 impl Node {
+    /// What it combines.
+    pub(crate) fn children(&self) -> &[NodeId] {
+        match &self.kind {
+            NodeKind::Primitive(_) => &[],
+            NodeKind::Csg { children, .. } => children,
+        }
+    }
+
     /// Whether crossings of a child are taken in reverse order.
     pub(crate) fn reverses(&self) -> bool {
         let filters = matches!(&self.kind, NodeKind::Csg { operation, .. } if *operation != Operation::Union);
@@ -244,9 +255,9 @@ impl Node {
             gap: Bounds::INFINITE,
             clips: Box::default(),
             bounded_by: Box::default(),
-            skips: Skips::default(),
-            look: 0,
-            around: None,
+            hidden_from: RayMask::default(),
+            appearance: AppearanceId::default(),
+            parent: None,
             is_reversed: false,
         }
     }
@@ -260,18 +271,16 @@ pub(crate) struct Placement {
     pub(crate) texture_from_group: Option<Box<Transform>>,
 }
 
-/// What an object says about its looks; `None` is left to what contains it.
+/// How an object appears, as far as it says; `None` is left to what contains it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Look {
-    /// Index of a placement.
-    pub(crate) texture: Option<u32>,
-    /// Index of a placement.
-    pub(crate) interior_texture: Option<u32>,
+pub(crate) struct Appearance {
+    pub(crate) texture: Option<PlacementId>,
+    pub(crate) interior_texture: Option<PlacementId>,
     pub(crate) interior: Option<InteriorId>,
     pub(crate) uv_mapping: bool,
     pub(crate) double_illuminate: Option<bool>,
     /// Without a texture of its own, takes that of the objects cut: the solid's root node.
-    pub(crate) cutaway: Option<u32>,
+    pub(crate) cutaway: Option<NodeId>,
     pub(crate) object: ObjectId,
     pub(crate) light_group: Option<LightGroupId>,
 }

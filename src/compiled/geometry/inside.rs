@@ -2,7 +2,8 @@
 
 use super::Geometry;
 use super::graph::{Group, Item, ItemKind};
-use super::record::{InteriorKey, ObjectId, Path};
+use super::record::{InteriorKey, Path};
+use crate::compiled::handle::ObjectId;
 use crate::math::{DVec3, Range, Ray};
 use std::ops::ControlFlow;
 
@@ -48,10 +49,10 @@ impl Geometry {
             }
             ItemKind::Solid(root) => self.node_contains(*root, point),
             ItemKind::Instance(i) => {
-                let instance = &self.instances[*i as usize];
+                let instance = &self.instances[*i];
                 let local = instance.parent_from_group.inverse_point(point);
                 path.push(*i);
-                let go_on = self.gather(&self.groups[instance.group as usize], local, path, found);
+                let go_on = self.gather(&self.groups[instance.group], local, path, found);
                 path.pop();
                 return go_on;
             }
@@ -61,13 +62,11 @@ impl Geometry {
 
     /// The interior of a frame-level object, with its place in file order.
     pub(super) fn item_interior(&self, item: &Item, path: &Path) -> Option<(ObjectId, InteriorKey)> {
-        let look = match &item.kind {
-            ItemKind::Sphere(_, p) | ItemKind::Plane(_, p) | ItemKind::Primitive(p) => {
-                self.primitives[*p as usize].look
-            }
-            ItemKind::Solid(root) => self.nodes[*root as usize].look,
+        let appearance = match &item.kind {
+            ItemKind::Sphere(_, p) | ItemKind::Plane(_, p) | ItemKind::Primitive(p) => self.primitives[*p].appearance,
+            ItemKind::Solid(root) => self.nodes[*root].appearance,
             ItemKind::Instance(_) => return None,
         };
-        self.interior_of(look, path)
+        self.interior_of(appearance, path)
     }
 }

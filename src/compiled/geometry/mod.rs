@@ -22,15 +22,15 @@ mod span;
 mod surface;
 mod walk;
 
-pub use record::{
-    Hit, InteriorId, InteriorKey, LightGroupId, MAX_INSTANCE_DEPTH, ObjectId, RayKind, Surface, TextureId, TextureRef,
-};
+pub use super::handle::{InteriorId, LightGroupId, ObjectId, StatementId, TextureId};
+pub use record::{Hit, InteriorKey, MAX_INSTANCE_DEPTH, RayKind, Surface, TextureRef};
 pub use solid::Scratch;
 
 // What `compile` fills in.
+pub(crate) use super::handle::{AppearanceId, GroupId, InstanceId, NodeId, PlacementId, PrimitiveId};
 pub(crate) use graph::{
-    Group, Instance, Item, ItemKind, Look, Members, Node, NodeKind, Operation, Place, Placement, Primitive, Skips,
-    padded,
+    Appearance, Group, GroupBuilder, Instance, Item, ItemKind, Node, NodeKind, Operation, Parent, Placement, Primitive,
+    RayMask, padded,
 };
 pub(crate) use parts::Parts;
 pub(crate) use shape::{
@@ -40,6 +40,7 @@ pub(crate) use shape::{
     SweepSegment, Torus, Triangle,
 };
 
+use super::handle::Table;
 use crate::math::{Bounds, DVec3, Range, Ray};
 use record::Path;
 use smallvec::SmallVec;
@@ -47,20 +48,20 @@ use walk::{Blocking, Nearest, Walk};
 
 /// All objects of a scene, or of one object that is asked about.
 ///
-/// Every index in its lists is in range, instances nest at most [`MAX_INSTANCE_DEPTH`] deep, and
-/// a primitive reached through no instance has looks without gaps: `compile` sees to that.
+/// Every handle in its tables stands for something, instances nest at most [`MAX_INSTANCE_DEPTH`] deep, and
+/// a primitive reached through no instance has an appearance without gaps: `compile` sees to that.
 #[derive(Debug, Default)]
 pub struct Geometry {
     /// What every ray enters.
     pub(crate) root: Group,
-    pub(crate) groups: Vec<Group>,
-    pub(crate) instances: Vec<Instance>,
-    pub(crate) nodes: Vec<Node>,
-    pub(crate) primitives: Vec<Primitive>,
-    pub(crate) looks: Vec<Look>,
-    pub(crate) placements: Vec<Placement>,
-    /// By interior.
-    pub(crate) hollow: Vec<bool>,
+    pub(crate) groups: Table<GroupId, Group>,
+    pub(crate) instances: Table<InstanceId, Instance>,
+    pub(crate) nodes: Table<NodeId, Node>,
+    pub(crate) primitives: Table<PrimitiveId, Primitive>,
+    pub(crate) appearances: Table<AppearanceId, Appearance>,
+    pub(crate) placements: Table<PlacementId, Placement>,
+    /// Of each interior, whether fog and media outside also fill its object.
+    pub(crate) hollow: Table<InteriorId, bool>,
 }
 
 /// What is in the way of light.
@@ -91,7 +92,7 @@ impl Geometry {
         ray: &Ray,
         range: Range,
         light: usize,
-        opaque: Option<&[bool]>,
+        opaque: Option<&Table<TextureId, bool>>,
         scratch: &mut Scratch,
     ) -> Shadow {
         if scratch.blockers.len() <= light {

@@ -1,5 +1,6 @@
 //! What a ray asks for and what it gets back.
 
+use crate::compiled::handle::{InstanceId, InteriorId, LightGroupId, ObjectId, PlacementId, PrimitiveId, TextureId};
 use crate::math::{DVec3, Range, Ray, Uv};
 use smallvec::SmallVec;
 
@@ -18,26 +19,10 @@ pub enum RayKind {
     Probe,
 }
 
-/// Index into the textures that `compile` collected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct TextureId(pub u32);
-
-/// Index into the interiors that `compile` collected, one for each object that owns one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct InteriorId(pub u32);
-
-/// Index of a frame-level object (after union splitting), in file order.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct ObjectId(pub u32);
-
-/// Index into the light groups that `compile` collected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct LightGroupId(pub u32);
-
 /// Identity of an interior: which one, and in which copy of the object that owns it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct InteriorKey {
-    /// Index of the interior.
+    /// Which interior.
     pub interior: InteriorId,
     /// Tells copies of one shared object apart; 0 outside shared groups.
     pub instance: u32,
@@ -50,19 +35,19 @@ pub const MAX_INSTANCE_DEPTH: usize = 12;
 /// The instances a ray went through to reach a primitive, outermost first.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Path {
-    /// Indices into the instances; only the first `len` count.
-    steps: [u32; MAX_INSTANCE_DEPTH],
+    /// Only the first `len` count.
+    steps: [InstanceId; MAX_INSTANCE_DEPTH],
     len: u8,
 }
 
 impl Path {
     /// The instances, outermost first.
-    pub(crate) fn steps(&self) -> &[u32] {
+    pub(crate) fn steps(&self) -> &[InstanceId] {
         &self.steps[..usize::from(self.len)]
     }
 
     /// Goes into an instance; `compile` keeps the depth in bounds.
-    pub(crate) fn push(&mut self, instance: u32) {
+    pub(crate) fn push(&mut self, instance: InstanceId) {
         self.steps[usize::from(self.len)] = instance;
         self.len += 1;
     }
@@ -78,8 +63,8 @@ impl Path {
 pub struct Hit {
     /// Ray parameter; world distance for a unit direction.
     pub t: f64,
-    /// Index of the primitive.
-    pub(crate) primitive: u32,
+    /// Which primitive.
+    pub(crate) primitive: PrimitiveId,
     /// Which part of the primitive: face, segment or glyph, as the shape sees fit.
     pub(crate) part: u32,
     /// Through which instances.
@@ -101,7 +86,7 @@ pub struct TextureRef {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum TexturePlace {
     /// Of a placement, inside so many instances of the hit's path.
-    Placement { index: u32, depth: u8 },
+    Placement { id: PlacementId, depth: u8 },
     /// Of the shape itself.
     Shape,
     /// Of a component of a blob, by its number.

@@ -8,21 +8,22 @@
 //! survivor so far is asked about, and nothing behind that survivor is looked at.
 
 use super::Geometry;
-use super::graph::{Item, Node, NodeKind, Operation, Skips};
+use super::graph::{Item, Node, NodeKind, Operation, RayMask};
 use super::record::RayKind;
 use super::shape::{Primitive as _, ShapeHits};
 use super::slab::SlabRay;
 use super::span::Confines;
+use crate::compiled::handle::{NodeId, PrimitiveId};
 use crate::math::{DVec3, Range, Ray};
 
 /// A crossing of a solid's part.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing {
     pub(crate) t: f64,
-    pub(crate) primitive: u32,
+    pub(crate) primitive: PrimitiveId,
     pub(crate) part: u32,
     /// The node of the primitive.
-    node: u32,
+    node: NodeId,
     /// Its place among the crossings that the primitive recorded.
     rank: u32,
 }
@@ -37,15 +38,15 @@ pub struct Scratch {
     /// Stretches of the ray that lie inside of parts of merges.
     covers: Vec<Cover>,
     /// A node and the position of its child that last removed a crossing of another.
-    remover: (u32, usize),
+    remover: (NodeId, usize),
 }
 
 /// A stretch of a ray on which a part of a merge hides the others.
 #[derive(Clone, Copy, Debug)]
 struct Cover {
-    merge: u32,
+    merge: NodeId,
     /// The child of the merge.
-    node: u32,
+    node: NodeId,
     low: f64,
     high: f64,
 }
@@ -54,7 +55,7 @@ impl Cover {
     /// The ends of a stretch are left to inside tests: this part of its largest parameter is far beyond their rounding.
     const MARGIN: f64 = 1e-9;
 
-    fn new(merge: u32, node: u32, (a, b): (f64, f64)) -> Self {
+    fn new(merge: NodeId, node: NodeId, (a, b): (f64, f64)) -> Self {
         let margin = Self::MARGIN * a.abs().max(b.abs());
         Self { merge, node, low: a.min(b) + margin, high: a.max(b) - margin }
     }
@@ -73,9 +74,9 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Looks through a node's crossings in a range, if the ray meets the node's box, where that is asked.
-    fn node(&mut self, index: u32, range: Range, asks_box: bool) {
+    fn node(&mut self, id: NodeId, range: Range, asks_box: bool) {
         let geometry = self.geometry;
-        let node = &geometry.nodes[index as usize];
+        let node = &geometry.nodes[id];
         let range = Range { max: range.max.min(self.end()), ..range };
         if asks_box && !self.ray.may_meet(&node.bounds, range) || !self.passes_bounds(node) {
             return;
@@ -86,7 +87,7 @@ impl Search<'_> {
             return;
         }
         match &node.kind {
-            NodeKind::Primitive(primitive) => self.primitive(index, *primitive, range),
+            NodeKind::Primitive(primitive) => self.primitive(id, *primitive, range),
             NodeKind::Csg { operation, children, parts, confining, .. } => {
                 let mut confines = Confines::new(range);
                 for i in confining {
@@ -123,8 +124,8 @@ impl Search<'_> {
     }
 
     /// Looks through the crossings of one primitive.
-    fn primitive(&mut self, node: u32, index: u32, range: Range) {
-        let primitive = &self.geometry.primitives[index as usize];
+    fn primitive(&mut self, node: NodeId, id: PrimitiveId, range: Range) {
+        let primitive = &self.geometry.primitives[id];
         // A part that hides what is inside of it is worth knowing from end to end.
         let merge = self.merge_hidden_by(node).filter(|_| primitive.shape.is_convex() && !primitive.inverse);
         let sought = if merge.is_some() { Range::LINE } else { range };
@@ -144,7 +145,7 @@ impl Search<'_> {
             if !range.contains(hit.t) {
                 continue;
             }
-            let crossing = Crossing { t: hit.t, primitive: index, part: hit.part, node, rank: rank as u32 };
+            let crossing = Crossing { t: hit.t, primitive: id, part: hit.part, node, rank: rank as u32 };
             let is_nearer = self.best.is_none_or(|best| {
                 crossing.t < best.t || crossing.t == best.t && self.geometry.counts_before(&crossing, &best)
             });
@@ -155,42 +156,42 @@ impl Search<'_> {
     }
 
     /// The merge whose other children a node hides wherever it is solid.
-    fn merge_hidden_by(&self, node: u32) -> Option<u32> {
+    fn merge_hidden_by(&self, node: NodeId) -> Option<NodeId> {
         let nodes = &self.geometry.nodes;
-        let node = &nodes[node as usize];
-        let around = node.around.filter(|_| node.clips.is_empty())?.node;
+        let node = &nodes[node];
+        let parent = node.parent.filter(|_| node.clips.is_empty())?.node;
         let is_merge = |n: &Node| matches!(&n.kind, NodeKind::Csg { operation: Operation::Merge, .. });
-        is_merge(&nodes[around as usize]).then_some(around)
+        is_merge(&nodes[parent]).then_some(parent)
     }
 
     /// Whether another part of the same merge is known to hide a crossing.
     fn is_covered(&self, crossing: &Crossing) -> bool {
-        let Some(around) = self.geometry.nodes[crossing.node as usize].around else { return false };
+        let Some(parent) = self.geometry.nodes[crossing.node].parent else { return false };
         let t = crossing.t;
-        self.scratch.covers.iter().any(|c| c.merge == around.node && c.node != crossing.node && c.low < t && t < c.high)
+        self.scratch.covers.iter().any(|c| c.merge == parent.node && c.node != crossing.node && c.low < t && t < c.high)
     }
 
     /// Whether a crossing is left by everything around its primitive.
     fn survives(&mut self, crossing: &Crossing) -> bool {
         let geometry = self.geometry;
         let point = self.ray.ray.at(crossing.t);
-        let mut node = &geometry.nodes[crossing.node as usize];
+        let mut node = &geometry.nodes[crossing.node];
         loop {
             if !node.clips.iter().all(|clip| geometry.node_contains(*clip, point)) {
                 return false;
             }
-            let Some(around) = node.around else { return true };
-            if !self.is_left_by_others(around.node, around.position as usize, point) {
+            let Some(parent) = node.parent else { return true };
+            if !self.is_left_by_others(parent.node, parent.position as usize, point) {
                 return false;
             }
-            node = &geometry.nodes[around.node as usize];
+            node = &geometry.nodes[parent.node];
         }
     }
 
     /// Whether the other children of a node leave a crossing of the child at `position`.
-    fn is_left_by_others(&mut self, index: u32, position: usize, point: DVec3) -> bool {
+    fn is_left_by_others(&mut self, id: NodeId, position: usize, point: DVec3) -> bool {
         let geometry = self.geometry;
-        let NodeKind::Csg { operation, children, parts, .. } = &geometry.nodes[index as usize].kind else {
+        let NodeKind::Csg { operation, children, parts, .. } = &geometry.nodes[id].kind else {
             return true;
         };
         if *operation == Operation::Union {
@@ -206,13 +207,13 @@ impl Search<'_> {
         };
         // Neighbouring crossings often lie in the same part.
         let (node, last) = self.scratch.remover;
-        let is_left = (node != index || last >= children.len() || leaves(last))
+        let is_left = (node != id || last >= children.len() || leaves(last))
             && match parts {
                 Some(parts) => parts.all_at(point, leaves),
                 None => (0..children.len()).all(leaves),
             };
         if let Some(remover) = remover {
-            self.scratch.remover = (index, remover);
+            self.scratch.remover = (id, remover);
         }
         is_left
     }
@@ -234,7 +235,7 @@ impl Geometry {
     /// The nearest surviving crossing of a solid, or any.
     pub(super) fn solid_nearest(
         &self,
-        root: u32,
+        root: NodeId,
         ray: &Ray,
         range: Range,
         kind: RayKind,
@@ -258,19 +259,19 @@ impl Geometry {
         // What is further in has the higher number.
         while nodes[0] != nodes[1] {
             let inner = usize::from(nodes[1] > nodes[0]);
-            let Some(around) = self.nodes[nodes[inner] as usize].around else { break };
-            (nodes[inner], positions[inner]) = (around.node, around.position);
+            let Some(parent) = self.nodes[nodes[inner]].parent else { break };
+            (nodes[inner], positions[inner]) = (parent.node, parent.position);
         }
         let is_later = positions[0] > positions[1];
-        is_later != self.nodes[nodes[0] as usize].is_reversed
+        is_later != self.nodes[nodes[0]].is_reversed
     }
 
     /// Whether a node is found as soon as its box, which holds all of the shape.
-    fn is_quick(&self, node: u32) -> bool {
-        let node = &self.nodes[node as usize];
+    fn is_quick(&self, node: NodeId) -> bool {
+        let node = &self.nodes[node];
         match &node.kind {
             NodeKind::Primitive(p) if node.clips.is_empty() && node.bounded_by.is_empty() => {
-                let primitive = &self.primitives[*p as usize];
+                let primitive = &self.primitives[*p];
                 primitive.group_from_local.is_none() && primitive.shape.is_quick()
             }
             _ => false,
@@ -278,7 +279,7 @@ impl Geometry {
     }
 
     /// Whether another child leaves a crossing at `point`.
-    fn leaves(&self, operation: Operation, other: u32, point: DVec3, kind: RayKind) -> bool {
+    fn leaves(&self, operation: Operation, other: NodeId, point: DVec3, kind: RayKind) -> bool {
         match operation {
             Operation::Union => true,
             Operation::Merge => self.hides(operation, other, kind) || !self.node_contains(other, point),
@@ -288,19 +289,19 @@ impl Geometry {
 
     /// Whether a part passes by unseen: POV-Ray honours a part's own flags only in some
     /// operations and for some rays (shape facts, section 12.3).
-    fn hides(&self, operation: Operation, child: u32, kind: RayKind) -> bool {
+    fn hides(&self, operation: Operation, child: NodeId, kind: RayKind) -> bool {
         let honoured = match (operation, kind) {
             (Operation::Intersection, _)
             | (_, RayKind::Shadow | RayKind::Probe)
             | (Operation::Union, RayKind::Camera) => false,
             (Operation::Union | Operation::Merge, _) => true,
         };
-        honoured && self.nodes[child as usize].skips.meets(Skips::of(kind))
+        honoured && self.nodes[child].hidden_from.intersects(RayMask::of(kind))
     }
 
     /// Whether a point is inside a node and all its clips.
-    pub(super) fn node_contains(&self, index: u32, point: DVec3) -> bool {
-        let node = &self.nodes[index as usize];
+    pub(super) fn node_contains(&self, id: NodeId, point: DVec3) -> bool {
+        let node = &self.nodes[id];
         if !node.extent.contains(point) {
             return false;
         }
@@ -323,8 +324,8 @@ impl Geometry {
     }
 
     /// Whether a point is inside a primitive, as inverted.
-    pub(super) fn primitive_contains(&self, index: u32, point: DVec3) -> bool {
-        let primitive = &self.primitives[index as usize];
+    pub(super) fn primitive_contains(&self, id: PrimitiveId, point: DVec3) -> bool {
+        let primitive = &self.primitives[id];
         let local = primitive.group_from_local.as_ref().map_or(point, |place| place.inverse_point(point));
         if primitive.inverse { primitive.shape.excludes(local) } else { primitive.shape.contains(local) }
     }

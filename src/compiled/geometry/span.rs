@@ -8,6 +8,7 @@ use super::Geometry;
 use super::graph::{NodeKind, Operation};
 use super::shape::Primitive as _;
 use super::slab::SlabRay;
+use crate::compiled::handle::{NodeId, PrimitiveId};
 use crate::math::{Bounds, Range};
 
 /// What children of an intersection leave to each other of a range: the highest lower ends and the lowest upper ends
@@ -52,12 +53,12 @@ impl Confines {
 
 impl Geometry {
     /// The part of a range outside of which a node contains no point of the ray; errs on the side of more.
-    pub(super) fn span(&self, index: u32, ray: &SlabRay<'_>, range: Range) -> Range {
-        let node = &self.nodes[index as usize];
+    pub(super) fn span(&self, id: NodeId, ray: &SlabRay<'_>, range: Range) -> Range {
+        let node = &self.nodes[id];
         match &node.kind {
             // The shape knows better than its box.
             NodeKind::Primitive(p) if self.has_span(*p) => {
-                let primitive = &self.primitives[*p as usize];
+                let primitive = &self.primitives[*p];
                 match &primitive.group_from_local {
                     Some(place) => primitive.shape.span(&place.inverse_ray(ray.ray), range),
                     None => primitive.shape.span(ray.ray, range),
@@ -78,14 +79,14 @@ impl Geometry {
     }
 
     /// Whether a primitive's own shape says where it contains points.
-    fn has_span(&self, primitive: u32) -> bool {
-        let primitive = &self.primitives[primitive as usize];
+    fn has_span(&self, primitive: PrimitiveId) -> bool {
+        let primitive = &self.primitives[primitive];
         primitive.shape.has_span() && !primitive.inverse
     }
 
     /// Whether [`span`](Self::span) may be less than the whole range.
-    pub(crate) fn confines(&self, index: u32) -> bool {
-        let node = &self.nodes[index as usize];
+    pub(crate) fn confines(&self, id: NodeId) -> bool {
+        let node = &self.nodes[id];
         let of_kind = || match &node.kind {
             NodeKind::Primitive(p) => self.has_span(*p),
             NodeKind::Csg { confining, .. } => !confining.is_empty(),

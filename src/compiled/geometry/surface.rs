@@ -1,20 +1,21 @@
 //! From a hit to everything about the place, for the winner alone.
 
 use super::Geometry;
-use super::graph::{Look, NodeKind, Operation, Primitive};
-use super::record::{Hit, InteriorKey, ObjectId, Path, Surface, TextureId, TexturePlace, TextureRef};
+use super::graph::{Appearance, NodeKind, Operation, Primitive};
+use super::record::{Hit, InteriorKey, Path, Surface, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
+use crate::compiled::handle::{AppearanceId, InstanceId, NodeId, ObjectId, PlacementId, PrimitiveId, Table, TextureId};
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use smallvec::SmallVec;
 use std::borrow::Cow;
 
-/// Looks gathered on the way from a primitive to the world.
+/// The appearance gathered on the way from a primitive to the world.
 struct Inherited<'a> {
-    look: Cow<'a, Look>,
+    appearance: Cow<'a, Appearance>,
     depths: Depths,
 }
 
-/// Where each part of some looks was found: the number of instances around the object that gave it.
+/// Where each part of an appearance was found: the number of instances around the object that gave it.
 #[derive(Clone, Copy)]
 struct Depths {
     texture: u8,
@@ -22,24 +23,24 @@ struct Depths {
     interior: u8,
 }
 
-/// Takes from what contains it what some looks lack (shape facts, section 12.2).
-fn inherit(look: &mut Look, depths: &mut Depths, outer: &Look, depth: u8) {
+/// Takes from what contains it what an appearance lacks (shape facts, section 12.2).
+fn inherit(appearance: &mut Appearance, depths: &mut Depths, outer: &Appearance, depth: u8) {
     // The odd rule of POV-Ray: one of the two missing is enough.
-    if outer.uv_mapping && (look.texture.is_none() || look.interior_texture.is_none()) {
-        look.uv_mapping = true;
+    if outer.uv_mapping && (appearance.texture.is_none() || appearance.interior_texture.is_none()) {
+        appearance.uv_mapping = true;
     }
-    if look.texture.is_none() && outer.texture.is_some() {
-        (look.texture, depths.texture) = (outer.texture, depth);
+    if appearance.texture.is_none() && outer.texture.is_some() {
+        (appearance.texture, depths.texture) = (outer.texture, depth);
     }
-    if look.interior_texture.is_none() && outer.interior_texture.is_some() {
-        (look.interior_texture, depths.interior_texture) = (outer.interior_texture, depth);
+    if appearance.interior_texture.is_none() && outer.interior_texture.is_some() {
+        (appearance.interior_texture, depths.interior_texture) = (outer.interior_texture, depth);
     }
-    if look.interior.is_none() && outer.interior.is_some() {
-        (look.interior, depths.interior) = (outer.interior, depth);
+    if appearance.interior.is_none() && outer.interior.is_some() {
+        (appearance.interior, depths.interior) = (outer.interior, depth);
     }
-    look.double_illuminate = outer.double_illuminate.or(look.double_illuminate);
-    look.object = outer.object;
-    look.light_group = outer.light_group.or(look.light_group);
+    appearance.double_illuminate = outer.double_illuminate.or(appearance.double_illuminate);
+    appearance.object = outer.object;
+    appearance.light_group = outer.light_group.or(appearance.light_group);
 }
 
 impl Inherited<'_> {
@@ -47,47 +48,47 @@ impl Inherited<'_> {
     #[inline]
     fn interior_key(&self, path: &Path) -> InteriorKey {
         InteriorKey {
-            interior: self.look.interior.unwrap_or_default(),
+            interior: self.appearance.interior.unwrap_or_default(),
             instance: instance_number(&path.steps()[..usize::from(self.depths.interior)]),
         }
     }
 }
 
 impl Geometry {
-    /// The interior behind some looks, with the frame-level object.
-    pub(super) fn interior_of(&self, look: u32, path: &Path) -> Option<(ObjectId, InteriorKey)> {
-        let inherited = self.looks_of(look, path);
-        inherited.look.interior.map(|_| (inherited.look.object, inherited.interior_key(path)))
+    /// The interior of an appearance, with the frame-level object.
+    pub(super) fn interior_of(&self, appearance: AppearanceId, path: &Path) -> Option<(ObjectId, InteriorKey)> {
+        let inherited = self.appearance_of(appearance, path);
+        inherited.appearance.interior.map(|_| (inherited.appearance.object, inherited.interior_key(path)))
     }
 
     /// Whether fog and media outside also fill an interior's object.
     pub fn is_hollow(&self, key: InteriorKey) -> bool {
-        self.hollow.get(key.interior.0 as usize).copied().unwrap_or(false)
+        self.hollow.get(key.interior).copied().unwrap_or(false)
     }
 
     /// Whether all textures that may show on a primitive are among those marked in `opaque`.
     ///
     /// Where only the [`surface`](Self::surface) could say, `false`.
-    pub(super) fn blocks_light(&self, primitive: u32, path: &Path, opaque: &[bool]) -> bool {
-        let primitive = &self.primitives[primitive as usize];
-        let inherited = self.looks_of(primitive.look, path);
-        let look = &inherited.look;
-        let is_opaque = |texture: TextureId| opaque.get(texture.0 as usize).copied().unwrap_or(false);
+    pub(super) fn blocks_light(&self, primitive: PrimitiveId, path: &Path, opaque: &Table<TextureId, bool>) -> bool {
+        let primitive = &self.primitives[primitive];
+        let inherited = self.appearance_of(primitive.appearance, path);
+        let appearance = &inherited.appearance;
+        let is_opaque = |texture: TextureId| opaque.get(texture).copied().unwrap_or(false);
         let own_block = match &primitive.shape {
             Shape::Blob(blob) => !blob.has_textures,
             Shape::Mesh(mesh) => mesh.tree.own_textures().iter().all(|texture| is_opaque(*texture)),
             _ => true,
         };
-        let blocks = |placement: u32| self.placements.get(placement as usize).is_some_and(|p| is_opaque(p.texture));
+        let blocks = |placement: PlacementId| self.placements.get(placement).is_some_and(|p| is_opaque(p.texture));
         own_block
-            && look.cutaway.is_none()
-            && look.texture.is_some_and(blocks)
-            && look.interior_texture.is_none_or(blocks)
+            && appearance.cutaway.is_none()
+            && appearance.texture.is_some_and(blocks)
+            && appearance.interior_texture.is_none_or(blocks)
     }
 
     /// The full record of a hit that [`intersect`](Self::intersect) gave for the same ray.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        let primitive = &self.primitives[hit.primitive as usize];
+        let primitive = &self.primitives[hit.primitive];
         let world_from_group = self.world_from(&hit.path, hit.path.steps().len());
         let group_from_local = primitive.group_from_local.as_deref();
         let in_group = world_from_group.as_ref().map(|place| place.inverse_ray(ray));
@@ -112,8 +113,8 @@ impl Geometry {
         let normal = found.shading_normal.and_then(DVec3::try_normalize).unwrap_or(geometric_normal);
         let from_inside = normal.dot(ray.direction) > 0.0;
 
-        let inherited = self.looks_of(primitive.look, &hit.path);
-        let look = &inherited.look;
+        let inherited = self.appearance_of(primitive.appearance, &hit.path);
+        let appearance = &inherited.appearance;
         let interior = inherited.interior_key(&hit.path);
         Surface {
             point,
@@ -123,27 +124,26 @@ impl Geometry {
             uv: uv_of(primitive, uv, [local_point, group_point, point]),
             from_inside,
             textures: self.textures_of(primitive, &inherited, hit, from_inside, (local_point, group_point)),
-            uv_mapping: look.uv_mapping,
+            uv_mapping: appearance.uv_mapping,
             interior,
-            hollow: self.hollow.get(interior.interior.0 as usize).copied().unwrap_or(false),
-            double_illuminate: look.double_illuminate.unwrap_or(false),
-            object: look.object,
-            light_group: look.light_group,
+            hollow: self.is_hollow(interior),
+            double_illuminate: appearance.double_illuminate.unwrap_or(false),
+            object: appearance.object,
+            light_group: appearance.light_group,
         }
     }
 
     /// Takes world space to the space in which a texture of a hit was written.
     pub fn texture_from_world(&self, hit: &Hit, seen: &TextureRef) -> Cow<'_, Transform> {
         let local_from_world = || {
-            let primitive = &self.primitives[hit.primitive as usize];
+            let primitive = &self.primitives[hit.primitive];
             let local = primitive.group_from_local.as_deref().copied().unwrap_or_default();
             let world = self.world_from(&hit.path, hit.path.steps().len()).unwrap_or_default();
             local.then(&world).inverse()
         };
         match seen.place {
-            TexturePlace::Placement { index, depth } => {
-                let placement =
-                    self.placements[index as usize].texture_from_group.as_deref().unwrap_or(&Transform::IDENTITY);
+            TexturePlace::Placement { id, depth } => {
+                let placement = self.placements[id].texture_from_group.as_deref().unwrap_or(&Transform::IDENTITY);
                 match self.world_from(&hit.path, depth.into()) {
                     None => Cow::Borrowed(placement),
                     Some(world_from_group) => Cow::Owned(world_from_group.inverse().then(placement)),
@@ -151,7 +151,7 @@ impl Geometry {
             }
             TexturePlace::Shape => Cow::Owned(local_from_world()),
             TexturePlace::Component(i) => {
-                let own = match &self.primitives[hit.primitive as usize].shape {
+                let own = match &self.primitives[hit.primitive].shape {
                     Shape::Blob(blob) => {
                         blob.parts[i as usize].texture.map(|(_, component_from_blob)| component_from_blob)
                     }
@@ -168,22 +168,22 @@ impl Geometry {
         path.steps()[..depth]
             .iter()
             .rev()
-            .map(|i| self.instances[*i as usize].parent_from_group)
+            .map(|i| self.instances[*i].parent_from_group)
             .reduce(|inner, outer| inner.then(&outer))
     }
 
-    /// A primitive's looks with all that it inherits through the instances around it.
+    /// An appearance with all that it inherits through the instances around it.
     #[inline]
-    fn looks_of(&self, look: u32, path: &Path) -> Inherited<'_> {
-        let own = &self.looks[look as usize];
+    fn appearance_of(&self, appearance: AppearanceId, path: &Path) -> Inherited<'_> {
+        let own = &self.appearances[appearance];
         let depth = path.steps().len() as u8;
         let depths = Depths { texture: depth, interior_texture: depth, interior: depth };
-        let mut inherited = Inherited { look: Cow::Borrowed(own), depths };
+        let mut inherited = Inherited { appearance: Cow::Borrowed(own), depths };
         if depth > 0 {
-            let look = inherited.look.to_mut();
+            let appearance = inherited.appearance.to_mut();
             for (step, depth) in path.steps().iter().zip(0..depth).rev() {
-                let outer = &self.looks[self.instances[*step as usize].look as usize];
-                inherit(look, &mut inherited.depths, outer, depth);
+                let outer = &self.appearances[self.instances[*step].appearance];
+                inherit(appearance, &mut inherited.depths, outer, depth);
             }
         }
         inherited
@@ -199,14 +199,14 @@ impl Geometry {
         from_inside: bool,
         points: (DVec3, DVec3),
     ) -> SmallVec<[TextureRef; 1]> {
-        let look = &inherited.look;
+        let appearance = &inherited.appearance;
         let of_parts = matches!(&primitive.shape, Shape::Blob(_) | Shape::Mesh(_));
-        if of_parts || look.cutaway.is_some() || (from_inside && look.interior_texture.is_some()) {
+        if of_parts || appearance.cutaway.is_some() || (from_inside && appearance.interior_texture.is_some()) {
             return self.textures_of_parts(primitive, inherited, hit, from_inside, points);
         }
         // By far the most: one texture for the whole object.
         let mut textures = SmallVec::new();
-        if let Some(texture) = look.texture {
+        if let Some(texture) = appearance.texture {
             textures.push(self.placed(texture, 1.0, inherited.depths.texture));
         }
         textures
@@ -221,12 +221,13 @@ impl Geometry {
         from_inside: bool,
         (point_local, point_group): (DVec3, DVec3),
     ) -> SmallVec<[TextureRef; 1]> {
-        let look = &inherited.look;
-        let whole = |weight: f32| look.texture.map(|texture| self.placed(texture, weight, inherited.depths.texture));
+        let appearance = &inherited.appearance;
+        let whole =
+            |weight: f32| appearance.texture.map(|texture| self.placed(texture, weight, inherited.depths.texture));
         let mixes = matches!(&primitive.shape, Shape::Blob(blob) if blob.has_textures);
         if from_inside
             && !mixes
-            && let Some(placement) = look.interior_texture
+            && let Some(placement) = appearance.interior_texture
         {
             return smallvec::smallvec![self.placed(placement, 1.0, inherited.depths.interior_texture)];
         }
@@ -247,8 +248,8 @@ impl Geometry {
             let place = TexturePlace::Shape;
             return own.into_iter().map(|(texture, weight)| TextureRef { texture, weight, place }).collect();
         }
-        match look.cutaway {
-            Some(root) if self.looks[primitive.look as usize].texture.is_none() => {
+        match appearance.cutaway {
+            Some(root) if self.appearances[primitive.appearance].texture.is_none() => {
                 let cut = self.cutaway(root, point_group);
                 cut.into_iter().map(|(p, weight)| self.placed(p, weight, inherited.depths.texture)).collect()
             }
@@ -266,18 +267,18 @@ impl Geometry {
 
     /// A placement inside so many instances.
     #[inline]
-    fn placed(&self, placement: u32, weight: f32, depth: u8) -> TextureRef {
-        let texture = self.placements[placement as usize].texture;
-        TextureRef { texture, weight, place: TexturePlace::Placement { index: placement, depth } }
+    fn placed(&self, placement: PlacementId, weight: f32, depth: u8) -> TextureRef {
+        let texture = self.placements[placement].texture;
+        TextureRef { texture, weight, place: TexturePlace::Placement { id: placement, depth } }
     }
 
     /// Textures of the parts of a solid that contain a point of a cut, evenly weighted at each
     /// level (shape facts, section 10.5).
-    fn cutaway(&self, node: u32, point: DVec3) -> SmallVec<[(u32, f32); 2]> {
-        let mut found = SmallVec::<[(u32, f32); 2]>::new();
-        match &self.nodes[node as usize].kind {
+    fn cutaway(&self, node: NodeId, point: DVec3) -> SmallVec<[(PlacementId, f32); 2]> {
+        let mut found = SmallVec::<[(PlacementId, f32); 2]>::new();
+        match &self.nodes[node].kind {
             NodeKind::Primitive(p) => {
-                let texture = self.looks[self.primitives[*p as usize].look as usize].texture;
+                let texture = self.appearances[self.primitives[*p].appearance].texture;
                 found.extend(texture.map(|t| (t, 1.0)));
             }
             NodeKind::Csg { operation, children, is_difference, .. } => {
@@ -298,8 +299,8 @@ impl Geometry {
     }
 
     /// Whether a point is inside a node, whatever clips it.
-    fn contains_unclipped(&self, index: u32, point: DVec3) -> bool {
-        match &self.nodes[index as usize].kind {
+    fn contains_unclipped(&self, id: NodeId, point: DVec3) -> bool {
+        match &self.nodes[id].kind {
             NodeKind::Primitive(p) => self.primitive_contains(*p, point),
             NodeKind::Csg { operation: Operation::Intersection, children, .. } => {
                 children.iter().all(|n| self.node_contains(*n, point))
@@ -331,9 +332,9 @@ fn uv_of(primitive: &Primitive, uv: Option<Uv>, [local, group, world]: [DVec3; 3
 
 /// A number for a chain of instances: 0 for none, different for different chains (up to the
 /// chance of a 32-bit hash). Source: FNV-1a.
-fn instance_number(steps: &[u32]) -> u32 {
+fn instance_number(steps: &[InstanceId]) -> u32 {
     if steps.is_empty() {
         return 0;
     }
-    steps.iter().fold(0x811c_9dc5_u32, |hash, step| (hash ^ step).wrapping_mul(0x0100_0193))
+    steps.iter().fold(0x811c_9dc5_u32, |hash, step| (hash ^ step.number()).wrapping_mul(0x0100_0193))
 }

@@ -1,10 +1,11 @@
 //! The way of a ray through groups and instances to its nearest hit.
 
 use super::Geometry;
-use super::graph::{Group, Item, ItemKind, Skips};
+use super::graph::{Group, Item, ItemKind, RayMask};
 use super::record::{Hit, Path, RayKind};
 use super::shape::Primitive;
 use super::solid::Scratch;
+use crate::compiled::handle::{InstanceId, NodeId, PrimitiveId, Table, TextureId};
 use crate::math::{Range, Ray};
 use std::ops::ControlFlow;
 
@@ -12,8 +13,8 @@ use std::ops::ControlFlow;
 pub(super) struct Walk<'a, S> {
     pub(super) geometry: &'a Geometry,
     pub(super) kind: RayKind,
-    /// What passes this kind of ray by.
-    passed: Skips,
+    /// The kind, to compare with what an item is hidden from.
+    mask: RayMask,
     pub(super) scratch: &'a mut Scratch,
     /// Where hits count: up to the nearest so far, if it is looked for.
     pub(super) range: Range,
@@ -39,7 +40,7 @@ pub(super) trait Search: Sized {
 #[derive(Clone, Copy)]
 pub(super) struct Found {
     t: f64,
-    primitive: u32,
+    primitive: PrimitiveId,
     part: u32,
     owner: Owner,
 }
@@ -47,8 +48,8 @@ pub(super) struct Found {
 /// What POV-Ray has as one object: a primitive by itself or a solid, by index.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Owner {
-    Primitive(u32),
-    Solid(u32),
+    Primitive(PrimitiveId),
+    Solid(NodeId),
 }
 
 /// The nearest hit.
@@ -60,7 +61,7 @@ pub(super) struct Nearest {
 /// Whatever stands in the way of light.
 pub(super) struct Blocking<'a> {
     /// By texture, whether no light comes through; none is asked for where all are so.
-    pub(super) opaque: Option<&'a [bool]>,
+    pub(super) opaque: Option<&'a Table<TextureId, bool>>,
     /// Something was met that may let light through.
     pub(super) is_filtered: bool,
     /// The item of the outermost group that ended the search.
@@ -112,7 +113,7 @@ impl<'a, S: Search> Walk<'a, S> {
         scratch: &'a mut Scratch,
         search: S,
     ) -> Self {
-        Self { geometry, kind, passed: Skips::of(kind), scratch, range, path: Path::default(), ray, search }
+        Self { geometry, kind, mask: RayMask::of(kind), scratch, range, path: Path::default(), ray, search }
     }
 
     /// Goes through a group; `ray` is in the group's space. Breaks when any hit will do and there is one.
@@ -142,21 +143,21 @@ impl<'a, S: Search> Walk<'a, S> {
 
     #[inline(always)]
     pub(super) fn item(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
-        if item.skips.meets(self.passed) {
+        if item.hidden_from.intersects(self.mask) {
             return ControlFlow::Continue(());
         }
         match &item.kind {
             ItemKind::Sphere(sphere, primitive) => self.shape(sphere, *primitive, ray),
             ItemKind::Plane(plane, primitive) => self.shape(plane, *primitive, ray),
-            ItemKind::Primitive(index) => self.primitive(*index, ray),
+            ItemKind::Primitive(id) => self.primitive(*id, ray),
             ItemKind::Solid(root) => self.solid(*root, ray),
-            ItemKind::Instance(index) => self.instance(*index, ray),
+            ItemKind::Instance(id) => self.instance(*id, ray),
         }
     }
 
     /// A shape in the group's own space.
     #[inline(always)]
-    fn shape(&mut self, shape: &impl Primitive, primitive: u32, ray: &Ray) -> ControlFlow<()> {
+    fn shape(&mut self, shape: &impl Primitive, primitive: PrimitiveId, ray: &Ray) -> ControlFlow<()> {
         match shape.intersect(ray, self.range) {
             Some(hit) => {
                 S::record(self, Found { t: hit.t, primitive, part: hit.part, owner: Owner::Primitive(primitive) })
@@ -166,7 +167,7 @@ impl<'a, S: Search> Walk<'a, S> {
     }
 
     #[inline(never)]
-    fn solid(&mut self, root: u32, ray: &Ray) -> ControlFlow<()> {
+    fn solid(&mut self, root: NodeId, ray: &Ray) -> ControlFlow<()> {
         match self.geometry.solid_nearest(root, ray, self.range, self.kind, S::ANY, self.scratch) {
             Some(c) => {
                 S::record(self, Found { t: c.t, primitive: c.primitive, part: c.part, owner: Owner::Solid(root) })
@@ -176,18 +177,18 @@ impl<'a, S: Search> Walk<'a, S> {
     }
 
     #[inline(never)]
-    fn instance(&mut self, index: u32, ray: &Ray) -> ControlFlow<()> {
-        let instance = &self.geometry.instances[index as usize];
-        self.path.push(index);
+    fn instance(&mut self, id: InstanceId, ray: &Ray) -> ControlFlow<()> {
+        let instance = &self.geometry.instances[id];
+        self.path.push(id);
         let geometry = self.geometry;
-        let flow = self.group(&geometry.groups[instance.group as usize], &instance.parent_from_group.inverse_ray(ray));
+        let flow = self.group(&geometry.groups[instance.group], &instance.parent_from_group.inverse_ray(ray));
         self.path.pop();
         flow
     }
 
     #[inline(never)]
-    fn primitive(&mut self, index: u32, ray: &Ray) -> ControlFlow<()> {
-        let primitive = &self.geometry.primitives[index as usize];
+    fn primitive(&mut self, id: PrimitiveId, ray: &Ray) -> ControlFlow<()> {
+        let primitive = &self.geometry.primitives[id];
         let moved;
         let ray = match &primitive.group_from_local {
             Some(place) => {
@@ -196,13 +197,13 @@ impl<'a, S: Search> Walk<'a, S> {
             }
             None => ray,
         };
-        let owner = Owner::Primitive(index);
+        let owner = Owner::Primitive(id);
         if S::ANY {
             if primitive.shape.occluded(ray, self.range) {
-                return S::record(self, Found { t: self.range.max, primitive: index, part: 0, owner });
+                return S::record(self, Found { t: self.range.max, primitive: id, part: 0, owner });
             }
         } else if let Some(hit) = primitive.shape.intersect(ray, self.range) {
-            return S::record(self, Found { t: hit.t, primitive: index, part: hit.part, owner });
+            return S::record(self, Found { t: hit.t, primitive: id, part: hit.part, owner });
         }
         ControlFlow::Continue(())
     }
@@ -219,13 +220,13 @@ impl<'a, S: Search> Walk<'a, S> {
     /// The parameter at which the ray enters the box of an object.
     fn entry(&self, owner: Owner, path: &Path) -> f64 {
         let local = match owner {
-            Owner::Primitive(i) => self.geometry.primitives[i as usize].bounds(),
-            Owner::Solid(i) => self.geometry.nodes[i as usize].bounds,
+            Owner::Primitive(i) => self.geometry.primitives[i].bounds(),
+            Owner::Solid(i) => self.geometry.nodes[i].bounds,
         };
         if !local.is_finite() {
             return f64::NEG_INFINITY;
         }
-        let outward = path.steps().iter().rev().map(|i| &self.geometry.instances[*i as usize].parent_from_group);
+        let outward = path.steps().iter().rev().map(|i| &self.geometry.instances[*i].parent_from_group);
         let world = outward.fold(local, |bounds, place| place.bounds(&bounds));
         let (o, d) = (self.ray.origin, self.ray.direction);
         let slab = |axis: usize| {

@@ -218,10 +218,10 @@ impl Gather for Detail {
         let side = if surface.geometric_normal.dot(facing) < 0.0 { -1.0 } else { 1.0 };
         self.geometric_normal = side * surface.geometric_normal;
         self.nearest = Some(Nearest { length, point: surface.point });
-        self.objects = Coverage::all(surface.object.0);
+        self.objects = Coverage::all(surface.object.number());
         let total: f32 = surface.textures.iter().map(|t| t.weight).sum();
         for seen in &surface.textures {
-            self.materials.add(seen.texture.0, seen.weight / total);
+            self.materials.add(seen.texture.number(), seen.weight / total);
         }
     }
 

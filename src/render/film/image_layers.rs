@@ -4,7 +4,7 @@ use super::coverage::Coverage;
 use super::gather::{Detail, Gather, Term};
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
-use crate::compiled::geometry::{ObjectId, TextureId};
+use crate::compiled::geometry::{ObjectId, StatementId, TextureId};
 use crate::imaging::{Layer, cryptomatte};
 use crate::math::{DVec3, Rgb};
 use crate::render::image_layer::ImageLayer;
@@ -37,11 +37,11 @@ impl ImageLayer {
             Self::Atmosphere => term(Term::Atmosphere),
             Self::CryptoObject => {
                 let shares: Vec<_> = pixels.iter().map(|p| statements(world, p)).collect();
-                cryptomatte(self.name(), &shares, |statement| world.labels.object(statement))
+                cryptomatte(self.name(), &shares, |statement| world.labels.object(StatementId::new(statement)))
             }
             Self::CryptoMaterial => {
                 let shares: Vec<_> = pixels.iter().map(|p| p.materials().ranked()).collect();
-                cryptomatte(self.name(), &shares, |texture| world.labels.texture(TextureId(texture)))
+                cryptomatte(self.name(), &shares, |texture| world.labels.texture(TextureId::new(texture)))
             }
         }
     }
@@ -85,7 +85,7 @@ fn depth(world: &World, pixel: &Detail) -> f32 {
 fn statements(world: &World, pixel: &Detail) -> Vec<(u32, f32)> {
     let mut shares = Coverage::default();
     for (object, share) in pixel.objects().ranked() {
-        shares.add(world.labels.statement(ObjectId(object)), share);
+        shares.add(world.labels.statement(ObjectId::new(object)).number(), share);
     }
     shares.ranked()
 }

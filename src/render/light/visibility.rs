@@ -91,7 +91,7 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
         Some(length) if inside.are_hollow() => fog_transmittance(world, ray, length),
         _ => Rgb::ONE,
     };
-    let opaque = (world.features.see_through_textures > 0).then_some(world.opaque.as_slice());
+    let opaque = (world.features.see_through_textures > 0).then_some(&world.opaque);
     match world.geometry.shadow(&ray, range, way.light, opaque, &mut worker.scratch) {
         Shadow::Blocked => return Rgb::ZERO,
         Shadow::Clear => return color * fog(&ray, way.fogged, vertex.interiors()),
@@ -104,7 +104,7 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
             return color * fog(&ray, fogged, interiors.as_ref().unwrap_or(vertex.interiors()));
         };
         let surface = world.geometry.surface(&ray, &hit);
-        if surface.textures.iter().all(|t| world.opaque[t.texture.0 as usize]) {
+        if surface.textures.iter().all(|t| world.opaque[t.texture]) {
             return Rgb::ZERO;
         }
         let interiors = interiors.get_or_insert_with(|| vertex.interiors().clone());

@@ -144,7 +144,7 @@ mod tests {
     use crate::compiled::geometry::InteriorId;
 
     fn glass(number: u32, ior: f64) -> Inside {
-        let key = InteriorKey { interior: InteriorId(number), instance: 0 };
+        let key = InteriorKey { interior: InteriorId::new(number), instance: 0 };
         Inside { key, hollow: false, index: RefractiveIndex { ior, dispersion: 1.0 } }
     }
 

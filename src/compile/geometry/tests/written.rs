@@ -2,8 +2,8 @@
 //! objects.
 
 mod analytic;
+mod appearance;
 mod freeform;
-mod looks;
 mod solids;
 
 use super::host;

@@ -1,6 +1,6 @@
 //! What is seen of solids: of faces in one place, of parts inside of each other.
 
-use super::looks::met;
+use super::appearance::met;
 use crate::compile::Queries;
 use crate::compiled::geometry::{RayKind, Scratch, Shadow};
 use crate::eval::{Options, evaluate};
@@ -13,7 +13,7 @@ fn part_seen(solid: &str, expected: u32) {
         "#macro B(I, A, Z) box {{ <-1, -1, A>, <1, 1, Z> pigment {{ rgb I }} }} #end
         #macro P(I, A) plane {{ -z, -A pigment {{ rgb I }} }} #end {solid}"
     );
-    let seen = met(&scene, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], |surface| surface.textures[0].texture.0);
+    let seen = met(&scene, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], |surface| surface.textures[0].texture.number());
     assert_eq!(seen, expected, "{solid}");
 }
 

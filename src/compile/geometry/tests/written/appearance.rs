@@ -20,7 +20,7 @@ pub(super) fn met<T>(scene: &str, origin: [f64; 3], direction: [f64; 3], of: imp
 
 /// The number of the object that a ray along z meets.
 fn first_object(scene: &str) -> u32 {
-    met(scene, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], |surface| surface.object.0)
+    met(scene, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], |surface| surface.object.number())
 }
 
 /// Surface coordinates, to the digits that were measured: freeform facts, section 11.

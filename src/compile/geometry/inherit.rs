@@ -4,7 +4,9 @@
 //! and is found at the hit, on the way back through the instances.
 
 use super::builder::Builder;
-use crate::compiled::geometry::{InteriorId, LightGroupId, Look, ObjectId, Placement, Skips, TextureId};
+use crate::compiled::geometry::{
+    Appearance, AppearanceId, InteriorId, LightGroupId, NodeId, ObjectId, Placement, PlacementId, RayMask, TextureId,
+};
 use crate::math::Transform;
 use crate::scene::{Object, PlacedTexture, Shape, Texture, TextureLayer};
 use smallvec::SmallVec;
@@ -19,10 +21,10 @@ pub(super) struct Context {
     pub(super) inverse: bool,
     /// Any inversion so far.
     pub(super) turned: bool,
-    pub(super) texture: Option<u32>,
-    pub(super) interior_texture: Option<u32>,
+    pub(super) texture: Option<PlacementId>,
+    pub(super) interior_texture: Option<PlacementId>,
     /// What a leaf without any texture gets; `None` inside shared groups.
-    pub(super) default_texture: Option<u32>,
+    pub(super) default_texture: Option<PlacementId>,
     pub(super) interior: Option<InteriorId>,
     pub(super) uv_mapping: bool,
     pub(super) hollow: Option<bool>,
@@ -32,7 +34,7 @@ pub(super) struct Context {
     pub(super) no_shadow: bool,
     /// Cut faces without texture look for one; holds the solid's root once it is known.
     pub(super) cutaway: bool,
-    pub(super) cutaway_root: Option<u32>,
+    pub(super) cutaway_root: Option<NodeId>,
     pub(super) light_group: Option<LightGroupId>,
 }
 
@@ -59,14 +61,14 @@ impl Context {
         }
     }
 
-    pub(super) fn skips(&self) -> Skips {
-        Skips::new(self.no_image, self.no_reflection, self.no_shadow)
+    pub(super) fn hidden_from(&self) -> RayMask {
+        RayMask::new(self.no_image, self.no_reflection, self.no_shadow)
     }
 
-    /// The looks of a leaf, or of an instance on behalf of its contents.
-    pub(super) fn look(&self, object: ObjectId) -> Look {
+    /// The appearance of a leaf, or of an instance on behalf of its contents.
+    pub(super) fn appearance(&self, object: ObjectId) -> Appearance {
         let cutaway = self.cutaway_root.filter(|_| self.texture.is_none());
-        Look {
+        Appearance {
             texture: if cutaway.is_some() { None } else { self.texture.or(self.default_texture) },
             interior_texture: self.interior_texture,
             interior: self.interior,
@@ -116,7 +118,7 @@ impl Builder<'_> {
     }
 
     /// Notes a texture in a place, or finds the same one.
-    fn placement(&mut self, placed: &PlacedTexture, group_from_parent: &Transform, fixed: bool) -> u32 {
+    fn placement(&mut self, placed: &PlacedTexture, group_from_parent: &Transform, fixed: bool) -> PlacementId {
         if placed.place.is_identity() && (fixed || group_from_parent.is_identity()) {
             return self.unmoved(&placed.texture);
         }
@@ -127,7 +129,7 @@ impl Builder<'_> {
     }
 
     /// The same for a texture where it was written.
-    pub(super) fn unmoved(&mut self, texture: &Arc<Texture>) -> u32 {
+    pub(super) fn unmoved(&mut self, texture: &Arc<Texture>) -> PlacementId {
         if let Some(known) = self.unmoved_ids.get(&Arc::as_ptr(texture)) {
             return *known;
         }
@@ -137,7 +139,7 @@ impl Builder<'_> {
         placement
     }
 
-    fn placement_of(&mut self, texture: TextureId, group_from_texture: &Transform) -> u32 {
+    fn placement_of(&mut self, texture: TextureId, group_from_texture: &Transform) -> PlacementId {
         let m = group_from_texture.linear();
         let columns = [m.x_axis, m.y_axis, m.z_axis, group_from_texture.origin()];
         let key = columns.map(|v| v.to_array().map(f64::to_bits));
@@ -149,9 +151,8 @@ impl Builder<'_> {
         placement
     }
 
-    fn add_placement(&mut self, texture: TextureId, texture_from_group: Option<Box<Transform>>) -> u32 {
-        self.geometry.placements.push(Placement { texture, texture_from_group });
-        self.geometry.placements.len() as u32 - 1
+    fn add_placement(&mut self, texture: TextureId, texture_from_group: Option<Box<Transform>>) -> PlacementId {
+        self.geometry.placements.push(Placement { texture, texture_from_group })
     }
 
     /// The number of a texture.
@@ -162,10 +163,7 @@ impl Builder<'_> {
             return *known;
         }
         let textures = &mut self.textures;
-        let mut add = || {
-            textures.push(Arc::clone(texture));
-            TextureId(textures.len() as u32 - 1)
-        };
+        let mut add = || textures.push(Arc::clone(texture));
         let id = match &**texture {
             Texture::Layers(layers) => *self.layered_ids.entry(parts_of(layers)).or_insert_with(add),
             Texture::Patterned(_) => add(),
@@ -176,18 +174,17 @@ impl Builder<'_> {
 
     /// A new interior, private to the object that asks.
     pub(super) fn interior(&mut self, interior: Arc<crate::scene::Interior>, hollow: bool) -> InteriorId {
-        self.interiors.push(interior);
         self.geometry.hollow.push(hollow);
-        InteriorId(self.interiors.len() as u32 - 1)
+        self.interiors.push(interior)
     }
 
-    /// Notes looks.
-    pub(super) fn add_look(&mut self, look: Look) -> u32 {
-        let looks = &mut self.geometry.looks;
-        if looks.last() != Some(&look) {
-            looks.push(look);
+    /// Notes an appearance.
+    pub(super) fn add_appearance(&mut self, appearance: Appearance) -> AppearanceId {
+        let appearances = &mut self.geometry.appearances;
+        match appearances.last() {
+            Some((id, last)) if *last == appearance => id,
+            _ => appearances.push(appearance),
         }
-        looks.len() as u32 - 1
     }
 }
 
