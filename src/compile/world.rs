@@ -46,7 +46,7 @@ pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
 /// # Errors
 /// Those of [`compile`].
 pub fn compile_sharing(scene: &Scene, pictures: &Pictures) -> SourceResult<Compiled> {
-    let CompiledGeometry { geometry, textures, interiors, lights, light_groups, labels, mut warnings, watched } =
+    let CompiledGeometry { mut geometry, textures, interiors, lights, light_groups, labels, mut warnings, watched } =
         super::geometry::compile(scene)?;
     let mut errors = Vec::new();
     let mut compiler = TextureCompiler::sharing(&scene.settings, pictures);
@@ -63,9 +63,11 @@ pub fn compile_sharing(scene: &Scene, pictures: &Pictures) -> SourceResult<Compi
     let (Some(camera), Some(atmosphere), true) = (camera, atmosphere, errors.is_empty()) else {
         return Err(errors);
     };
+    let opaque = textures.iter().map(crate::compiled::texture::Texture::is_opaque).collect();
+    geometry.learn_opacity(&opaque);
     let mut world = World {
         geometry,
-        opaque: textures.iter().map(crate::compiled::texture::Texture::is_opaque).collect(),
+        opaque,
         textures,
         interiors: compiled_interiors(&interiors),
         lights,

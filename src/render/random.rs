@@ -39,7 +39,13 @@ pub(super) enum Branch {
 impl Random {
     /// The choices of the ray through an image position.
     pub(super) fn at(x: f64, y: f64) -> Self {
-        Self(mixed(mixed(x.to_bits()) ^ y.to_bits().rotate_left(32)))
+        // Positions have few digits, which stand in the upper halves of the bits.
+        Self(mixed(x.to_bits() ^ y.to_bits().rotate_left(32)))
+    }
+
+    /// The choices in one of several textures at a place; most places have one, which costs nothing.
+    pub(super) fn texture(self, index: usize) -> Self {
+        if index == 0 { self } else { self.branch(Branch::Texture(index)) }
     }
 
     /// The choices farther down a path.

@@ -75,6 +75,7 @@ impl Context {
             uv_mapping: self.uv_mapping,
             double_illuminate: self.double_illuminate,
             cutaway,
+            cut_is_opaque: false,
             object,
             light_group: self.light_group,
         }

@@ -281,6 +281,8 @@ pub(crate) struct Appearance {
     pub(crate) double_illuminate: Option<bool>,
     /// Without a texture of its own, takes that of the objects cut: the solid's root node.
     pub(crate) cutaway: Option<NodeId>,
+    /// All those textures let no light through; known once they are compiled.
+    pub(crate) cut_is_opaque: bool,
     pub(crate) object: ObjectId,
     pub(crate) light_group: Option<LightGroupId>,
 }

@@ -4,8 +4,12 @@ use super::Geometry;
 use super::graph::{Appearance, NodeKind, Operation, Primitive};
 use super::record::{Hit, InteriorKey, Path, Surface, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
-use crate::compiled::handle::{AppearanceId, InstanceId, NodeId, ObjectId, PlacementId, PrimitiveId, Table, TextureId};
+use crate::compiled::handle::{
+    AppearanceId, Handle as _, InstanceId, NodeId, ObjectId, PlacementId, PrimitiveId, Table, TextureId,
+};
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
+use crate::stack::roomy;
+use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 use std::borrow::Cow;
 
@@ -81,9 +85,30 @@ impl Geometry {
         };
         let blocks = |placement: PlacementId| self.placements.get(placement).is_some_and(|p| is_opaque(p.texture));
         own_block
-            && appearance.cutaway.is_none()
-            && appearance.texture.is_some_and(blocks)
+            && (appearance.texture.is_some_and(blocks) && appearance.cutaway.is_none() || appearance.cut_is_opaque)
             && appearance.interior_texture.is_none_or(blocks)
+    }
+
+    /// Notes which cuts through solids let no light through, whichever of the parts' textures show there.
+    pub(crate) fn learn_opacity(&mut self, opaque: &Table<TextureId, bool>) {
+        let mut known = FxHashMap::default();
+        for i in 0..self.appearances.len() {
+            let id = AppearanceId::at(i);
+            let Appearance { cutaway: Some(root), texture: None, .. } = self.appearances[id] else { continue };
+            let is_opaque = *known.entry(root).or_insert_with(|| self.parts_block(root, opaque));
+            self.appearances[id].cut_is_opaque = is_opaque;
+        }
+    }
+
+    /// Whether the textures of all parts of a solid let no light through.
+    fn parts_block(&self, node: NodeId, opaque: &Table<TextureId, bool>) -> bool {
+        match &self.nodes[node].kind {
+            NodeKind::Primitive(p) => {
+                let texture = self.appearances[self.primitives[*p].appearance].texture;
+                texture.is_none_or(|placement| opaque.get(self.placements[placement].texture).is_some_and(|o| *o))
+            }
+            NodeKind::Csg { children, .. } => roomy(|| children.iter().all(|child| self.parts_block(*child, opaque))),
+        }
     }
 
     /// The full record of a hit that [`intersect`](Self::intersect) gave for the same ray.

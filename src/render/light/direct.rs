@@ -5,7 +5,7 @@
 use super::{area, visibility};
 use crate::compiled::light::{Area, Arrival, Light, is_dark};
 use crate::math::{DVec3, Rgb};
-use crate::render::random::Dimension;
+use crate::render::random::{Branch, Dimension};
 use crate::render::shade::SurfaceLayer;
 use crate::render::shade::finish::{self, Incidence};
 use crate::render::vertex::Vertex;
@@ -101,7 +101,8 @@ fn answer(vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, beam: &Beam) -> Rgb {
     if amount > 0.0 {
         let mut diffuse = amount * layer.opacity * finish::brilliance(finish, beam.cosine);
         if finish.crand != 0.0 {
-            diffuse -= finish.crand * layer.random.unit(Dimension::Crand { light: beam.light }) as f32;
+            diffuse -= finish.crand
+                * layer.random.branch(Branch::Layer(layer.depth)).unit(Dimension::Crand { light: beam.light }) as f32;
         }
         answer += diffuse * layer.albedo;
     }

@@ -10,7 +10,7 @@ use crate::math::{DVec3, Range, Ray, Rgb};
 use crate::render::medium::{Interiors, fog_transmittance, inside_of};
 use crate::render::random::Random;
 use crate::render::shade::{Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
-use crate::render::vertex::Vertex;
+use crate::render::vertex::{Vertex, facing};
 use crate::render::worker::Worker;
 
 /// How near to a light a surface may be and still not shade it, as a share of the distance: a
@@ -131,7 +131,7 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
 /// What all textures of a surface let through.
 fn surface_transmittance(worker: &Worker<'_>, surface: &Surface, hit: &Hit, ray: &Ray) -> Rgb {
     let world = worker.world();
-    let mut lookup = Lookup::new(surface, ray.direction, None);
+    let mut lookup = Lookup::new(surface, ray.direction, facing(surface, ray.direction), None);
     let caustics = world.interior(surface.interior.interior).caustics;
     let mut sum = Rgb::ZERO;
     for seen in &surface.textures {

@@ -13,7 +13,6 @@ pub(super) use lanes::{Lane, Lanes};
 use super::options::Options;
 use super::radiance::Mix;
 use super::random::{Branch, Random};
-use super::vertex::facing;
 use crate::compiled::World;
 use crate::compiled::geometry::{Hit, Surface, TextureRef};
 use crate::compiled::texture::{Context, Finish, Frame, Layer, Pick, Texture};
@@ -30,9 +29,8 @@ pub(super) struct Lookup<'p> {
 }
 
 impl<'p> Lookup<'p> {
-    /// On a surface before any bump, seen along a unit direction.
-    pub(super) fn new(surface: &Surface, direction: DVec3, lane: Option<Lane<'p>>) -> Self {
-        let normal = facing(surface, direction);
+    /// On a surface before any bump, seen along a unit direction, from which `normal` is turned to.
+    pub(super) fn new(surface: &Surface, direction: DVec3, normal: DVec3, lane: Option<Lane<'p>>) -> Self {
         let context = Context { uv: surface.uv, normal, perturbed_normal: normal, direction, point: surface.point };
         Self { context, lane }
     }
@@ -191,7 +189,9 @@ pub(super) struct SurfaceLayer<'t> {
     pub(super) albedo: Rgb,
     /// What part of the layer is not see-through.
     pub(super) opacity: f32,
-    /// Random choices in it.
+    /// How many layers lie above it.
+    pub(super) depth: usize,
+    /// Random choices in its texture.
     pub(super) random: Random,
 }
 

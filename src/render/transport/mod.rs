@@ -15,7 +15,7 @@ use super::film::{Gather, Term};
 use super::light::ArrivingLight;
 use super::path::Path;
 use super::radiance::Radiance;
-use super::random::Branch;
+use super::random::Random;
 use super::shade::{Known, Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
 use super::statistics::Statistics;
 use super::vertex::Vertex;
@@ -52,7 +52,7 @@ pub(super) fn reflected<G: Gather>(
 ) -> G {
     let world = worker.world();
     let vertex = Vertex::new(path, hit.t, surface);
-    let mut lookup = Lookup::new(surface, path.ray.direction, known.and_then(|known| known.lane));
+    let mut lookup = Lookup::new(surface, vertex.view(), vertex.facing, known.and_then(|known| known.lane));
     let mut arriving = ArrivingLight::default();
     let mut found = G::default();
     for (i, seen) in surface.textures.iter().enumerate() {
@@ -68,7 +68,7 @@ pub(super) fn reflected<G: Gather>(
             }
         };
         let mut frame = Frame::new(texture_from_world.as_deref());
-        let at = TexturePoint { point: *point, plain: true, random: path.random.branch(Branch::Texture(i)) };
+        let at = TexturePoint { point: *point, plain: true, random: path.random.texture(i) };
         let mut of_layers =
             |layers: Layers<'_>, lookup: &mut Lookup<'_>| layered(worker, &vertex, &layers, lookup, &mut arriving);
         let of_texture: G = resolve(world.texture(seen.texture), at, &mut frame, &mut lookup, &mut of_layers);
@@ -95,7 +95,7 @@ fn layered<G: Gather>(
         total_reflection = (term == Term::Reflection).then_some(boundary.normal);
     }
     for mirror in mirrors.iter().filter(|mirror| !total_reflection.is_some_and(|normal| mirror.has_normal(normal))) {
-        found.add(Term::Reflection, Radiance::opaque(mirror_image(worker, vertex, mirror)));
+        found.add(Term::Reflection, Radiance::opaque(mirror_image(worker, vertex, mirror, layers.random())));
     }
     found
 }
@@ -114,8 +114,8 @@ fn transmitted(worker: &mut Worker<'_>, vertex: &Vertex<'_>, boundary: &Boundary
 }
 
 /// What one layer mirrors.
-fn mirror_image(worker: &mut Worker<'_>, vertex: &Vertex<'_>, mirror: &Mirror<'_>) -> Rgb {
-    let path = mirrored(vertex, mirror.normal, mirror.weight(vertex), mirror.random);
+fn mirror_image(worker: &mut Worker<'_>, vertex: &Vertex<'_>, mirror: &Mirror<'_>, random: Random) -> Rgb {
+    let path = mirrored(vertex, mirror.normal, mirror.weight(vertex), mirror.random(random));
     let light = followed(worker, vertex, &path, |n| &mut n.reflected_rays).rgb;
     mirror.tinted(worker, vertex, path.ray.direction, light)
 }

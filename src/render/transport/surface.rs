@@ -33,8 +33,8 @@ pub(super) struct Mirror<'t> {
     reflectivity: Reflectivity,
     /// Share of the layer in the picture: what the layers above let through.
     visibility: f32,
-    /// Random choices of the mirrored ray.
-    pub(super) random: Random,
+    /// How many layers lie above it.
+    depth: usize,
 }
 
 /// What part of a layer counts, at most all of it.
@@ -80,11 +80,10 @@ pub(super) fn shade<'t, G: Gather>(
             |reflection| finish::reflectivity(reflection, color.rgb, -vertex.view().dot(normal), relative_ior);
         let reflectivity = finish.reflection.as_ref().and_then(mirrors);
         if let Some(reflectivity) = reflectivity.filter(|_| options.reflection_and_normals()) {
-            let random = layers.random().branch(Branch::Reflection(depth));
-            shaded.mirrors.push(Mirror { finish, normal, reflectivity, visibility: share(filter), random });
+            shaded.mirrors.push(Mirror { finish, normal, reflectivity, visibility: share(filter), depth });
         }
-        let random = layers.random().branch(Branch::Layer(depth));
-        let lit = SurfaceLayer { finish, normal, albedo: color.rgb, opacity: opacity(world, &color), random };
+        let (opacity, random) = (opacity(world, &color), layers.random());
+        let lit = SurfaceLayer { finish, normal, albedo: color.rgb, opacity, depth, random };
         let emission = color.rgb * finish.own_light * lit.opacity;
         let direct = if finish.uses_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
         shaded.found.add_own(filter, emission, direct);
@@ -115,6 +114,11 @@ impl Mirror<'_> {
     pub(super) fn has_normal(&self, normal: DVec3) -> bool {
         // POV-Ray's own limit for normals that agree.
         (self.normal - normal).abs().max_element() < 1e-10
+    }
+
+    /// Random choices of the mirrored ray, from those of its texture.
+    pub(super) fn random(&self, of_texture: Random) -> Random {
+        of_texture.branch(Branch::Reflection(self.depth))
     }
 
     /// How much the mirrored ray counts.
