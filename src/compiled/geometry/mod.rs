@@ -44,7 +44,7 @@ use super::handle::Table;
 use crate::math::{Bounds, DVec3, Range, Ray};
 use record::Path;
 use smallvec::SmallVec;
-use walk::{Blocking, Nearest, Walk};
+use walk::{Blocking, LastShadow, Nearest, Walk};
 
 /// All objects of a scene, or of one object that is asked about.
 ///
@@ -69,7 +69,7 @@ pub struct Geometry {
 pub enum Shadow {
     /// Nothing.
     Clear,
-    /// Nothing that surely blocks it, but something that may let some through.
+    /// Perhaps something that lets some through, perhaps something that does not.
     Filtered,
     /// Something opaque.
     Blocked,
@@ -86,7 +86,8 @@ impl Geometry {
 
     /// What stands inside `range` between a point and light number `light`.
     ///
-    /// `opaque` says of each texture whether no light comes through; `None` where that holds for all.
+    /// `opaque` says of each texture whether no light comes through; `None` where that holds for all. Where light last
+    /// came through something ([`Scratch::note_filtered`]) it is not looked for what surely blocks it.
     pub fn shadow(
         &self,
         ray: &Ray,
@@ -95,18 +96,21 @@ impl Geometry {
         opaque: Option<&Table<TextureId, bool>>,
         scratch: &mut Scratch,
     ) -> Shadow {
-        if scratch.blockers.len() <= light {
-            scratch.blockers.resize(light + 1, None);
+        if scratch.shadows.len() <= light {
+            scratch.shadows.resize(light + 1, LastShadow::default());
         }
-        let last = scratch.blockers[light];
+        let last = scratch.shadows[light];
+        if last.is_filtered {
+            return Shadow::Filtered;
+        }
         let search = Blocking { opaque, is_filtered: false, blocker: None };
         let mut walk = Walk::new(self, ray, range, RayKind::Shadow, scratch, search);
-        if last.is_some_and(|item| walk.item(&item, ray).is_break()) {
+        if last.blocker.is_some_and(|blocker| walk.retry(&blocker, ray).is_break()) {
             return Shadow::Blocked;
         }
         if walk.group(&self.root, ray).is_break() {
             let blocker = walk.search.blocker;
-            scratch.blockers[light] = blocker;
+            scratch.shadows[light].blocker = blocker;
             return Shadow::Blocked;
         }
         if walk.search.is_filtered { Shadow::Filtered } else { Shadow::Clear }

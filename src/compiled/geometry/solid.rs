@@ -8,11 +8,12 @@
 //! survivor so far is asked about, and nothing behind that survivor is looked at.
 
 use super::Geometry;
-use super::graph::{Item, Node, NodeKind, Operation, RayMask};
+use super::graph::{Node, NodeKind, Operation, RayMask};
 use super::record::RayKind;
 use super::shape::{Primitive as _, ShapeHits};
 use super::slab::SlabRay;
 use super::span::Confines;
+use super::walk::LastShadow;
 use crate::compiled::handle::{NodeId, PrimitiveId};
 use crate::math::{DVec3, Range, Ray};
 
@@ -32,9 +33,8 @@ pub(crate) struct Crossing {
 #[derive(Debug, Default)]
 pub struct Scratch {
     hits: ShapeHits,
-    /// For each light, what last stood in its way: neighbouring points often share it. Finding it
-    /// again first saves the way through the hierarchy.
-    pub(super) blockers: Vec<Option<Item>>,
+    /// For each light, what the last ray to it met: neighbouring points often share it.
+    pub(super) shadows: Vec<LastShadow>,
     /// Stretches of the ray that lie inside of parts of merges.
     covers: Vec<Cover>,
     /// A node and the position of its child that last removed a crossing of another.
@@ -58,6 +58,13 @@ impl Cover {
     fn new(merge: NodeId, node: NodeId, (a, b): (f64, f64)) -> Self {
         let margin = Self::MARGIN * a.abs().max(b.abs());
         Self { merge, node, low: a.min(b) + margin, high: a.max(b) - margin }
+    }
+}
+
+impl Scratch {
+    /// Notes whether something that lets light through was the first in the way to a light.
+    pub fn note_filtered(&mut self, light: usize, is_filtered: bool) {
+        self.shadows[light].is_filtered = is_filtered;
     }
 }
 

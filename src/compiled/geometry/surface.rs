@@ -70,6 +70,11 @@ impl Geometry {
         self.hollow.get(key.interior).copied().unwrap_or(false)
     }
 
+    /// Whether what was hit surely lets no light through, by [`opaque`](Self::shadow) textures.
+    pub fn blocks(&self, hit: &Hit, opaque: &Table<TextureId, bool>) -> bool {
+        self.blocks_light(hit.primitive, &hit.path, opaque)
+    }
+
     /// Whether all textures that may show on a primitive are among those marked in `opaque`.
     ///
     /// Where only the [`surface`](Self::surface) could say, `false`.

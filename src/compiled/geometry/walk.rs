@@ -32,8 +32,8 @@ pub(super) trait Search: Sized {
     const ANY: bool;
     /// Notes a hit inside the range; breaks when it ends the search.
     fn record(walk: &mut Walk<'_, Self>, hit: Found) -> ControlFlow<()>;
-    /// Notes the item that ended the search, over any of a group within it.
-    fn ended_by(&mut self, _item: &Item) {}
+    /// Notes what ended the search: first the item itself, then the instances around it.
+    fn ended_by(&mut self, _item: &Item, _path: &Path) {}
 }
 
 /// A hit of a thing.
@@ -64,8 +64,24 @@ pub(super) struct Blocking<'a> {
     pub(super) opaque: Option<&'a Table<TextureId, bool>>,
     /// Something was met that may let light through.
     pub(super) is_filtered: bool,
-    /// The item of the outermost group that ended the search.
-    pub(super) blocker: Option<Item>,
+    /// What ended the search.
+    pub(super) blocker: Option<Blocker>,
+}
+
+/// An item with the instances in which it stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Blocker {
+    item: Item,
+    path: Path,
+}
+
+/// What a ray to a light met. Trying it first saves the way through the hierarchy, and changes no answer.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct LastShadow {
+    /// What stood in its way.
+    pub(super) blocker: Option<Blocker>,
+    /// Light came through something.
+    pub(super) is_filtered: bool,
 }
 
 impl Search for Nearest {
@@ -99,8 +115,8 @@ impl Search for Blocking<'_> {
         ControlFlow::Continue(())
     }
 
-    fn ended_by(&mut self, item: &Item) {
-        self.blocker = Some(*item);
+    fn ended_by(&mut self, item: &Item, path: &Path) {
+        self.blocker.get_or_insert(Blocker { item: *item, path: *path });
     }
 }
 
@@ -130,13 +146,25 @@ impl<'a, S: Search> Walk<'a, S> {
         })
     }
 
+    /// Tries one item, wherever it stands; `ray` is in world space.
+    pub(super) fn retry(&mut self, blocker: &Blocker, ray: &Ray) -> ControlFlow<()> {
+        let mut local = *ray;
+        for step in blocker.path.steps() {
+            local = self.geometry.instances[*step].parent_from_group.inverse_ray(&local);
+        }
+        self.path = blocker.path;
+        let flow = self.item(&blocker.item, &local);
+        self.path = Path::default();
+        flow
+    }
+
     /// An item of a group; one that ends the search is noted.
     // Always inline, as what it calls: spheres are tried for less than a call costs.
     #[inline(always)]
     fn tried(&mut self, item: &Item, ray: &Ray) -> ControlFlow<()> {
         let flow = self.item(item, ray);
         if flow.is_break() {
-            self.search.ended_by(item);
+            self.search.ended_by(item, &self.path);
         }
         flow
     }

@@ -101,8 +101,13 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
     let mut fogged = way.fogged;
     loop {
         let Some(hit) = world.geometry.intersect(&ray, range, RayKind::Shadow, &mut worker.scratch) else {
+            worker.scratch.note_filtered(way.light, interiors.is_some());
             return color * fog(&ray, fogged, interiors.as_ref().unwrap_or(vertex.interiors()));
         };
+        worker.scratch.note_filtered(way.light, interiors.is_some());
+        if world.geometry.blocks(&hit, &world.opaque) {
+            return Rgb::ZERO;
+        }
         let surface = world.geometry.surface(&ray, &hit);
         if surface.textures.iter().all(|t| world.opaque[t.texture]) {
             return Rgb::ZERO;
