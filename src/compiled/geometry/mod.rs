@@ -99,15 +99,17 @@ impl Geometry {
         if scratch.shadows.len() <= light {
             scratch.shadows.resize(light + 1, LastShadow::default());
         }
-        let last = scratch.shadows[light];
-        if last.is_filtered {
+        if scratch.shadows[light].is_filtered {
             return Shadow::Filtered;
         }
-        let search = Blocking { opaque, is_filtered: false, blocker: None };
-        let mut walk = Walk::new(self, ray, range, RayKind::Shadow, scratch, search);
-        if last.blocker.is_some_and(|blocker| walk.retry(&blocker, ray).is_break()) {
+        let search = || Blocking { opaque, is_filtered: false, blocker: None };
+        // Copied only where there is one.
+        if let Some(blocker) = scratch.shadows[light].blocker
+            && Walk::new(self, ray, range, RayKind::Shadow, scratch, search()).retry(&blocker, ray).is_break()
+        {
             return Shadow::Blocked;
         }
+        let mut walk = Walk::new(self, ray, range, RayKind::Shadow, scratch, search());
         if walk.group(&self.root, ray).is_break() {
             let blocker = walk.search.blocker;
             scratch.shadows[light].blocker = blocker;

@@ -15,7 +15,7 @@ use super::radiance::Mix;
 use super::random::{Branch, Random};
 use crate::compiled::World;
 use crate::compiled::geometry::{Hit, Surface, TextureRef};
-use crate::compiled::texture::{Context, Finish, Frame, Layer, Pick, Texture};
+use crate::compiled::texture::{Context, Finish, Frame, Layer, PatternedTexture, Pick, Texture};
 use crate::math::{Color, DVec3, Rgb, Transform};
 use std::borrow::Cow;
 
@@ -75,6 +75,8 @@ pub(super) fn texture_space<'w>(world: &'w World, surface: &Surface, hit: &Hit, 
 /// Mixes what `of_layers` makes of all layered textures that show at a place.
 ///
 /// What `frame` enters it keeps: bumps of later items pass through the spaces of earlier ones, as in POV-Ray.
+// Always inline: most textures are layers.
+#[inline(always)]
 pub(super) fn resolve<T: Mix>(
     texture: &Texture,
     at: TexturePoint,
@@ -82,10 +84,19 @@ pub(super) fn resolve<T: Mix>(
     lookup: &mut Lookup<'_>,
     of_layers: &mut impl FnMut(Layers<'_>, &mut Lookup<'_>) -> T,
 ) -> T {
-    let patterned = match texture {
-        Texture::Layers(layers) => return of_layers(Layers { layers, at, frame }, lookup),
-        Texture::Patterned(patterned) => patterned,
-    };
+    match texture {
+        Texture::Layers(layers) => of_layers(Layers { layers, at, frame }, lookup),
+        Texture::Patterned(patterned) => resolve_pattern(patterned, at, frame, lookup, of_layers),
+    }
+}
+
+fn resolve_pattern<T: Mix>(
+    patterned: &PatternedTexture,
+    at: TexturePoint,
+    frame: &mut Frame<'_>,
+    lookup: &mut Lookup<'_>,
+    of_layers: &mut impl FnMut(Layers<'_>, &mut Lookup<'_>) -> T,
+) -> T {
     let (pick, warped) = patterned.pattern.pick(&patterned.items, at.point, &lookup.context);
     let point = if patterned.uv_mapping { lookup.context.uv_point() } else { warped };
     frame.enter(&patterned.pattern, patterned.no_bump_scale);

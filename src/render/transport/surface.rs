@@ -43,6 +43,8 @@ fn share(filter: Rgb) -> f32 {
 }
 
 /// Goes through layers from the top.
+// Always inline: what it makes is too large to be handed back for nothing.
+#[inline(always)]
 pub(super) fn shade<'t, G: Gather>(
     worker: &mut Worker<'_>,
     vertex: &Vertex<'_>,
