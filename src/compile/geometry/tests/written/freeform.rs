@@ -229,7 +229,7 @@ fn sphere_sweeps() {
         let text = format!(
             "#declare N = <0, 0, 0>; #declare O = {flat} #declare P = trace(O, <{x}, {y}, -5>, z, N);
             #declare P = trace(O, P + 1e-9*z, z, N); #declare Q = trace(O, P + 1e-9*z, z, N);
-            #debug str(P.z > .1, 0, 0) #debug \" \" #debug str(vlength(N), 0, 0)"
+            #debug str((P.z > .1), 0, 0) #debug \" \" #debug str(vlength(N), 0, 0)"
         );
         prints(&text, &[1.0, 0.0], 0.0);
     }
