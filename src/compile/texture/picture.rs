@@ -236,7 +236,7 @@ mod tests {
         check(&format!("{texture} #for (I, 1, 5) sphere {{ I*x, 1 texture {{ T scale I }} }} #end"), 5);
         let written = "#for (I, 1, 5) sphere { I*x, 1 pigment { image_map { ppm \"a.ppm\" transmit all I/9 } } } #end";
         check(written, 5);
-        check("#for (I, 1, 3) plane { y, I pigment { image_map { ppm \"./a.ppm\" once } rotate I*x } } #end", 3);
+        check("#for (I, 1, 3) plane { y, I pigment { image_map { ppm \"a.ppm\" once } rotate I*x } } #end", 3);
     }
 
     #[test]
