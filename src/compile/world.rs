@@ -58,7 +58,7 @@ pub fn compile_sharing(scene: &Scene, pictures: &Pictures) -> SourceResult<Compi
     let camera = note(camera::camera(&scene.camera, &mut compiler), || None, &mut errors);
     let atmosphere = note(atmosphere(scene, &mut compiler), || None, &mut errors);
     let (lights, n_global_lights, groups) = place_lights(lights, &light_groups, &mut warnings)?;
-    warn_about_media(scene, &interiors, &mut warnings);
+    warn_about_light(scene, &interiors, &mut warnings);
     let (Some(camera), Some(atmosphere), true) = (camera, atmosphere, errors.is_empty()) else {
         return Err(errors);
     };
@@ -230,16 +230,16 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
     })
 }
 
-/// What a Whitted renderer leaves out is said once for each feature.
-fn warn_about_media(scene: &Scene, interiors: &[Arc<scene::Interior>], warnings: &mut Vec<Diagnostic>) {
-    let media = !scene.media.is_empty() || interiors.iter().any(|i| !i.media.is_empty());
+/// What a Whitted renderer leaves out is said once for each feature, where it stands.
+fn warn_about_light(scene: &Scene, interiors: &[Arc<scene::Interior>], warnings: &mut Vec<Diagnostic>) {
+    let settings = &scene.settings;
+    let mut media = scene.media.iter().chain(interiors.iter().flat_map(|i| &i.media));
     let left_out = [
-        (media, "`media` is not rendered"),
-        (scene.settings.radiosity, "`radiosity` is not rendered"),
-        (scene.settings.photons, "`photons` are not rendered"),
-        (scene.settings.subsurface.is_some(), "`subsurface` light transport is not rendered"),
+        (media.next().map(|m| m.span), "`media` are not rendered"),
+        (settings.radiosity.as_ref().map(|r| r.span), "`radiosity` is not rendered: indirect light will be missing"),
+        (settings.photons.as_ref().map(|p| p.span), "`photons` are not rendered: caustics will be missing"),
+        (settings.subsurface.map(|s| s.span), "`subsurface` light is not rendered: surfaces will be plain"),
     ];
-    for (_, message) in left_out.into_iter().filter(|(present, _)| *present) {
-        warnings.push(Diagnostic::warning(Topic::Unsupported, Span::default(), message).without_place());
-    }
+    let warn = |(span, message): (Option<Span>, &str)| Some(Diagnostic::warning(Topic::Unsupported, span?, message));
+    warnings.extend(left_out.into_iter().filter_map(warn));
 }

@@ -2,6 +2,7 @@
 
 use super::Pattern;
 use super::texture::Blend;
+use crate::diag::Span;
 use crate::math::{Color, Rgb, Transform};
 use std::sync::Arc;
 
@@ -51,6 +52,8 @@ impl Interior {
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct Media {
+    /// The word of the block in which it was written.
+    pub span: Span,
     pub method: u8,
     pub intervals: u32,
     pub samples: [u32; 2],
