@@ -10,6 +10,8 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct Interior {
+    /// The word of its block, or an empty place if nothing was written.
+    pub span: Span,
     /// 0 where none was given.
     pub ior: f64,
     pub caustics: f64,
@@ -26,6 +28,7 @@ pub struct Interior {
 impl Default for Interior {
     fn default() -> Self {
         Self {
+            span: Span::default(),
             ior: 0.0,
             caustics: 0.0,
             dispersion: 1.0,

@@ -1,6 +1,7 @@
 //! `global_settings` and the pictures that scenes refer to.
 
 use super::{Photons, Radiosity, Subsurface};
+use crate::diag::Span;
 use crate::function::Function;
 use crate::imaging::Encoded;
 use crate::math::Rgb;
@@ -88,6 +89,8 @@ impl Settings {
 /// A picture named by a scene: a file that was found, or a function to sample.
 #[derive(Clone, Debug)]
 pub struct Image {
+    /// The file name, or the word `function`.
+    pub span: Span,
     /// Where pixels come from.
     pub source: ImageSource,
     /// `gamma` after the file name.

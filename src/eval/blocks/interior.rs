@@ -15,10 +15,12 @@ const VERSION_WITH_MEDIA_METHOD_3: u32 = 350;
 impl Evaluator<'_> {
     /// `{ … }` after `interior`, changing what the object has already.
     pub(super) fn interior_block(&mut self, start: Option<Arc<Interior>>) -> SourceResult<Interior> {
+        let span = self.span();
         self.open("interior")?;
         let pick = |v: &Value| if let Value::Interior(i) = v { Some(i.clone()) } else { None };
         let known = self.take_declared(pick)?.or(start);
         let mut interior = known.map_or_else(Interior::default, |i| (*i).clone());
+        interior.span = span;
         loop {
             self.comma()?;
             if let Some(transform) = self.transformation()? {
@@ -59,7 +61,7 @@ impl Evaluator<'_> {
             }
             K::Media => {
                 self.next()?;
-                let media = self.media_block(span)?;
+                let media = self.media_block()?;
                 interior.media.push(media);
                 return Ok(true);
             }
@@ -93,11 +95,13 @@ impl Evaluator<'_> {
     }
 
     /// `{ … }` after `media`.
-    pub(super) fn media_block(&mut self, span: Span) -> SourceResult<Media> {
+    pub(super) fn media_block(&mut self) -> SourceResult<Media> {
+        let span = self.span();
         self.open("media")?;
         let pick = |v: &Value| if let Value::Media(m) = v { Some((**m).clone()) } else { None };
         let known = self.take_declared(pick)?;
         let mut media = known.unwrap_or_else(|| self.default_media(span));
+        media.span = span;
         loop {
             self.comma()?;
             if let Some(transform) = self.transformation()? {

@@ -32,7 +32,7 @@ pub use layers::Material;
 pub(super) use object::is_object_keyword;
 
 use super::{Evaluator, Value};
-use crate::diag::{SourceResult, Span, Topic};
+use crate::diag::{SourceResult, Topic};
 use crate::scene::{Blend, MapEntry};
 use crate::syntax::Keyword as K;
 use std::rc::Rc;
@@ -84,7 +84,7 @@ impl Evaluator<'_> {
             }
             K::Media => {
                 self.next()?;
-                let media = self.media_block(span)?;
+                let media = self.media_block()?;
                 self.scene.media.push(media);
             }
             K::MaxTraceLevel | K::MaxIntersections => return self.setting(),
@@ -133,8 +133,8 @@ impl Evaluator<'_> {
             | K::TextureMap
             | K::SlopeMap
             | K::DensityMap => {
-                let span = self.next()?.span;
-                self.appearance_value(keyword, span)?
+                self.next()?;
+                self.appearance_value(keyword)?
             }
             _ => match self.object()? {
                 Some(object) => Value::Object(object),
@@ -144,7 +144,7 @@ impl Evaluator<'_> {
         Ok(Some(value))
     }
 
-    fn appearance_value(&mut self, keyword: K, span: Span) -> SourceResult<Value> {
+    fn appearance_value(&mut self, keyword: K) -> SourceResult<Value> {
         Ok(match keyword {
             K::Camera => Value::Camera(Arc::new(self.camera_block()?)),
             K::Pigment => {
@@ -161,7 +161,7 @@ impl Evaluator<'_> {
             }
             K::Interior => Value::Interior(Arc::new(self.interior_block(None)?)),
             K::Material => Value::Material(Arc::new(self.material_block()?)),
-            K::Media => Value::Media(Arc::new(self.media_block(span)?)),
+            K::Media => Value::Media(Arc::new(self.media_block()?)),
             K::Density => Value::Density(Arc::new(self.density_block()?)),
             K::Fog => Value::Fog(Arc::new(self.fog()?)),
             K::Rainbow => Value::Rainbow(Arc::new(self.rainbow()?)),
