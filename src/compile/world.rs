@@ -227,7 +227,10 @@ fn warn_about_light(scene: &Scene, interiors: &[Arc<scene::Interior>], warnings:
         (media.next().map(|m| m.span), "`media` are not rendered"),
         (settings.radiosity.as_ref().map(|r| r.span), "`radiosity` is not rendered: indirect light will be missing"),
         (settings.photons.as_ref().map(|p| p.span), "`photons` are not rendered: caustics will be missing"),
-        (settings.subsurface.map(|s| s.span), "`subsurface` light is not rendered: surfaces will be plain"),
+        (
+            settings.subsurface.map(|s| s.span),
+            "`subsurface` light is not rendered: light below surfaces will be missing",
+        ),
     ];
     let warn = |(span, message): (Option<Span>, &str)| Some(Diagnostic::warning(Topic::Unsupported, span?, message));
     warnings.extend(left_out.into_iter().filter_map(warn));
@@ -276,7 +279,7 @@ mod tests {
         check("box { 0, 1 pigment { image_map { pot \"bad.pot\" } } }", "height fields only", "\"bad.pot\"");
         let density = "box { 0, 1 pigment { density_file df3 \"bad.df3\" } }";
         check(density, "density file's length", "\"bad.df3\"");
-        check("box { 0, 1 pigment { pavement sides 3 tiles 90 } }", "no pavement of 90 tiles", "pavement");
+        check("box { 0, 1 pigment { pavement number_of_sides 3 number_of_tiles 90 } }", "no pavement of 90 tiles", "pavement");
     }
 
     #[test]

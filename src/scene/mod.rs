@@ -11,7 +11,8 @@
 //!   that same containing space;
 //! - defaults (`#default`, inherited pigments) are already filled in, but texture and
 //!   interior inheritance from CSG parents to children is not: an absent texture means
-//!   "take the parent's".
+//!   "take the parent's";
+//! - what `compile` may have to complain about knows where it was written.
 
 mod atmosphere;
 mod camera;

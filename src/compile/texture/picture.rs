@@ -257,6 +257,6 @@ mod tests {
         };
         assert!(pigments.len() == 5 && pigments.iter().all(|p| colors(p) == colors(&pigments[0])));
         // A hundred thousand objects have a texture each.
-        assert!(size_of::<Layer>() <= 80 && size_of::<crate::scene::Pigment>() <= 64);
+        assert!(size_of::<Layer>() <= 80 && size_of::<crate::scene::Pigment>() <= 56);
     }
 }
