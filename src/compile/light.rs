@@ -2,7 +2,7 @@
 
 use super::geometry::{PlacedLight, compile_object};
 use crate::compiled::light::{Area, Beam, Light};
-use crate::diag::{Diagnostic, SourceResult, Span, Topic};
+use crate::diag::{Diagnostic, SourceResult, Topic};
 use crate::math::DVec3;
 use crate::scene::{self, LightKind};
 
@@ -69,7 +69,7 @@ pub(super) fn warnings(placed: &PlacedLight) -> Vec<Diagnostic> {
         && u64::from(area.size1) * u64::from(area.size2) > 1_000_000
     {
         let message = format!("an area light of {} x {} samples will take very long", area.size1, area.size2);
-        warnings.push(Diagnostic::warning(Topic::Cost, Span::default(), message).without_place());
+        warnings.push(Diagnostic::warning(Topic::Cost, placed.span, message));
     }
     warnings
 }

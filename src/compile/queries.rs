@@ -2,9 +2,10 @@
 
 use super::geometry::{compile_object, extent};
 use super::picture::Pictures;
-use super::texture::TextureCompiler;
+use super::texture::{Refusal, TextureCompiler};
 use crate::compiled::geometry::{Geometry, RayKind, Scratch};
 use crate::compiled::texture::{Context, Pattern, Pigment};
+use crate::diag::Diagnostic;
 use crate::function::Callable;
 use crate::math::{Bounds, DVec3, Range, Ray};
 use crate::scene::{self, Flags, GeometryQueries, Object, Settings};
@@ -73,14 +74,22 @@ impl GeometryQueries for Queries {
         extent(object)
     }
 
-    fn pigment_function(&self, pigment: &Arc<scene::Pigment>, settings: &Settings) -> Arc<dyn Callable> {
+    fn pigment_function(
+        &self,
+        pigment: &Arc<scene::Pigment>,
+        settings: &Settings,
+    ) -> Result<Arc<dyn Callable>, Diagnostic> {
         let compiled = TextureCompiler::sharing(&for_functions(settings), &self.pictures).pigment(pigment);
-        Arc::new(PigmentFunction(compiled.unwrap_or(Pigment::Solid(crate::math::Color::BLACK))))
+        Ok(Arc::new(PigmentFunction(compiled.map_err(Refusal::diagnostic)?)))
     }
 
-    fn pattern_function(&self, pattern: &Arc<scene::Pattern>, settings: &Settings) -> Arc<dyn Callable> {
+    fn pattern_function(
+        &self,
+        pattern: &Arc<scene::Pattern>,
+        settings: &Settings,
+    ) -> Result<Arc<dyn Callable>, Diagnostic> {
         let compiled = TextureCompiler::sharing(&for_functions(settings), &self.pictures).pattern(pattern);
-        Arc::new(PatternFunction(compiled.unwrap_or(Pattern::of(crate::compiled::texture::PatternKind::None))))
+        Ok(Arc::new(PatternFunction(compiled.map_err(Refusal::diagnostic)?)))
     }
 }
 
@@ -145,6 +154,21 @@ mod tests {
         let host = Memory::new([("a.pov", scene)]);
         assert!(evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default()).is_ok());
         assert_eq!(host.messages(), "0.0,2.0,0.0");
+    }
+
+    /// What cannot be made a function is refused where it stands, as POV-Ray does, and is not black.
+    #[test]
+    fn functions_of_what_is_wrong_are_refused() {
+        let refused = |body: &str, place: &str| {
+            let text = format!("#version 3.7; #declare F = function {{ {body} }}");
+            let host = Memory::new([("a.pov", text.as_str())]).with("a.ppm", b"P6 2".to_vec());
+            let failed = evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default()).err();
+            let spans = failed.into_iter().flat_map(|f| f.diagnostics).filter_map(|d| d.span);
+            let found: Vec<_> = spans.map(|s| text[s.start as usize..s.end as usize].to_owned()).collect();
+            assert!(found.iter().any(|text| text == place), "{text}: {found:?}");
+        };
+        refused("pigment { image_map { ppm \"a.ppm\" } }", "\"a.ppm\"");
+        refused("pattern { density_file df3 \"a.ppm\" }", "\"a.ppm\"");
     }
 
     /// Values printed by POV-Ray 3.7.0.10.

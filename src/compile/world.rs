@@ -11,8 +11,7 @@ use crate::compiled::{Features, Group, Settings, Table, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::noise::Octaves;
 use crate::math::{Color, DVec3};
-use crate::scene::{self, Gamma, Object, Scene, Texture, Working};
-use crate::stack::roomy;
+use crate::scene::{self, Gamma, Scene, Working};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -50,16 +49,12 @@ pub fn compile_sharing(scene: &Scene, pictures: &Pictures) -> SourceResult<Compi
         super::geometry::compile(scene)?;
     let mut errors = Vec::new();
     let mut compiler = TextureCompiler::sharing(&scene.settings, pictures);
-    let textures: Table<_, _> = textures
-        .iter()
-        .filter_map(|t| {
-            note(compiler.texture(t), || scene.objects.iter().find_map(|o| span_of_texture(o, t)), &mut errors)
-        })
-        .collect();
-    let camera = note(camera::camera(&scene.camera, &mut compiler), || None, &mut errors);
-    let atmosphere = note(atmosphere(scene, &mut compiler), || None, &mut errors);
+    let textures: Table<_, _> = textures.iter().filter_map(|t| note(compiler.texture(t), &mut errors)).collect();
+    let camera = camera::camera(&scene.camera, &mut compiler).map_err(|r| r.at(scene.camera.span));
+    let camera = note(camera, &mut errors);
+    let atmosphere = note(atmosphere(scene, &mut compiler), &mut errors);
     let (lights, n_global_lights, groups) = place_lights(lights, &light_groups, &mut warnings)?;
-    warn_about_media(scene, &interiors, &mut warnings);
+    warn_about_light(scene, &interiors, &mut warnings);
     let (Some(camera), Some(atmosphere), true) = (camera, atmosphere, errors.is_empty()) else {
         return Err(errors);
     };
@@ -83,19 +78,9 @@ pub fn compile_sharing(scene: &Scene, pictures: &Pictures) -> SourceResult<Compi
     Ok(Compiled { world, warnings, watched })
 }
 
-/// Takes the value or notes the refusal; its place is only looked for then.
-fn note<T>(result: Result<T, Refusal>, span: impl FnOnce() -> Option<Span>, errors: &mut Vec<Diagnostic>) -> Option<T> {
-    let refused = |message| Diagnostic { span: span(), ..Diagnostic::error(Span::default(), message) };
-    result.map_err(|message| errors.push(refused(message))).ok()
-}
-
-/// Where the first user of a texture in an object stands.
-fn span_of_texture(object: &Object, texture: &Arc<Texture>) -> Option<Span> {
-    let mut own = [&object.texture, &object.rare.interior_texture].into_iter().flatten();
-    if own.any(|placed| Arc::ptr_eq(&placed.texture, texture)) {
-        return Some(object.span);
-    }
-    object.shape.children().iter().find_map(|child| roomy(|| span_of_texture(child, texture)))
+/// Takes the value or notes the refusal.
+fn note<T>(result: Result<T, Refusal>, errors: &mut Vec<Diagnostic>) -> Option<T> {
+    result.map_err(|refusal| errors.push(refusal.diagnostic())).ok()
 }
 
 /// Global lights first, then those of each group.
@@ -174,7 +159,11 @@ fn atmosphere(scene: &Scene, compiler: &mut TextureCompiler<'_>) -> Result<Atmos
     let sky = match &scene.sky_sphere {
         None => None,
         Some(sky) => Some(Sky {
-            pigments: sky.pigments.iter().map(|p| compiler.pigment(p)).collect::<Result<_, _>>()?,
+            pigments: sky
+                .pigments
+                .iter()
+                .map(|p| compiler.pigment(p).map_err(|r| r.at(sky.span)))
+                .collect::<Result<_, _>>()?,
             emission: sky.emission,
             sky_from_world: sky.transform.inverse(),
         }),
@@ -230,24 +219,89 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
         jitter: rainbow.jitter,
         arc,
         falloff: half(rainbow.falloff_angle_deg).unwrap_or(arc),
-        pigment: compiler.pigment(&rainbow.pigment)?,
+        pigment: compiler.pigment(&rainbow.pigment).map_err(|r| r.at(rainbow.span))?,
     })
 }
 
-/// What a Whitted renderer leaves out is said once for each feature.
-fn warn_about_media(
+/// What a Whitted renderer leaves out is said once for each feature, where it stands.
+fn warn_about_light(
     scene: &Scene,
     interiors: &Table<InteriorId, Arc<scene::Interior>>,
     warnings: &mut Vec<Diagnostic>,
 ) {
-    let media = !scene.media.is_empty() || interiors.iter().any(|i| !i.media.is_empty());
+    let settings = &scene.settings;
+    let mut media = scene.media.iter().chain(interiors.iter().flat_map(|i| &i.media));
     let left_out = [
-        (media, "`media` is not rendered"),
-        (scene.settings.radiosity, "`radiosity` is not rendered"),
-        (scene.settings.photons, "`photons` are not rendered"),
-        (scene.settings.subsurface.is_some(), "`subsurface` light transport is not rendered"),
+        (media.next().map(|m| m.span), "`media` are not rendered"),
+        (settings.radiosity.as_ref().map(|r| r.span), "`radiosity` is not rendered: indirect light will be missing"),
+        (settings.photons.as_ref().map(|p| p.span), "`photons` are not rendered: caustics will be missing"),
+        (
+            settings.subsurface.map(|s| s.span),
+            "`subsurface` light is not rendered: light below surfaces will be missing",
+        ),
     ];
-    for (_, message) in left_out.into_iter().filter(|(present, _)| *present) {
-        warnings.push(Diagnostic::warning(Topic::Unsupported, Span::default(), message).without_place());
+    let warn = |(span, message): (Option<Span>, &str)| Some(Diagnostic::warning(Topic::Unsupported, span?, message));
+    warnings.extend(left_out.into_iter().filter_map(warn));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compile::Queries;
+    use crate::diag::SourceMap;
+    use crate::eval::{Memory, Options, evaluate};
+
+    /// The text that a message points at; nothing if it has no place.
+    fn pointed_at(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
+        let Some(span) = diagnostic.span else { return String::new() };
+        let text = sources.file(span.file).map(|f| f.text[span.start as usize..span.end as usize].to_vec());
+        String::from_utf8(text.unwrap_or_default()).unwrap_or_default()
+    }
+
+    /// Compiling a scene says this about that part of its text, and nothing else.
+    fn check(text: &str, message: &str, place: &str) {
+        let text = format!("#version 3.7; global_settings {{ assumed_gamma 1 }} sphere {{ 0, 1 }} {text}");
+        let files = [("bad.ppm", b"P6 2".to_vec()), ("bad.df3", b"short".to_vec()), ("bad.pot", b"x".to_vec())];
+        let host = files.into_iter().fold(Memory::new([("a.pov", text.as_str())]), |host, (n, b)| host.with(n, b));
+        let read = evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default());
+        let read = read.unwrap_or_else(|failed| panic!("{text}: {:?}", failed.diagnostics));
+        let said = compile(&read.scene).map_or_else(|errors| errors, |compiled| compiled.warnings);
+        let found: Vec<_> = said.iter().map(|d| (&*d.message, pointed_at(d, &read.sources))).collect();
+        assert!(found.len() == 1 && found[0].0.contains(message) && found[0].1 == place, "{text}: {found:?}");
+    }
+
+    #[test]
+    fn refusals_point_at_what_is_refused() {
+        let picture = |around: &str| check(&around.replace('@', "ppm \"bad.ppm\""), "", "\"bad.ppm\"");
+        picture("box { 0, 1 pigment { image_map { @ } } }");
+        picture(
+            "#declare T = texture { pigment { image_map { @ } } } union { sphere { 0, 1 } box { 0, 1 texture { T } } }",
+        );
+        picture("plane { y, 0 pigment { checker pigment { image_map { @ } } pigment { rgb 1 } } rotate x }");
+        picture("plane { y, 0 pigment { rgb 1 } normal { bump_map { @ } } }");
+        picture("plane { y, 0 pigment { image_pattern { @ } } }");
+        picture("plane { y, 0 texture { material_map { @ texture { pigment { rgb 1 } } } } }");
+        picture("sky_sphere { pigment { image_map { @ } } }");
+        picture("camera { location -z normal { bump_map { @ } } }");
+        picture("camera { location -z aperture 1 blur_samples 4 bokeh { pigment { image_map { @ } } } }");
+        check("box { 0, 1 pigment { image_map { pot \"bad.pot\" } } }", "height fields only", "\"bad.pot\"");
+        let density = "box { 0, 1 pigment { density_file df3 \"bad.df3\" } }";
+        check(density, "density file's length", "\"bad.df3\"");
+        check(
+            "box { 0, 1 pigment { pavement number_of_sides 3 number_of_tiles 90 } }",
+            "no pavement of 90 tiles",
+            "pavement",
+        );
+    }
+
+    #[test]
+    fn warnings_point_at_what_is_left_out() {
+        check("global_settings { radiosity { count 5 } }", "`radiosity`", "radiosity");
+        check("global_settings { photons { count 5 } }", "`photons`", "photons");
+        check("global_settings { subsurface { } }", "`subsurface`", "subsurface");
+        check("media { emission 1 }", "`media`", "media");
+        check("#declare M = media { emission 1 } box { 0, 1 hollow interior { media { M } } }", "`media`", "media");
+        let light = "light_source { 0, 1 area_light x, y, 2000, 2000 }";
+        check(light, "2000 x 2000 samples", "light_source");
     }
 }

@@ -1,5 +1,6 @@
 //! What lies outside of the evaluator: files and the terminal.
 
+use crate::diag::Diagnostic;
 use crate::function::Callable;
 use crate::imaging::Encoded;
 use crate::math::{Bounds, DVec3, Ray};
@@ -146,12 +147,12 @@ impl GeometryQueries for NoQueries {
         Bounds::from_corners(DVec3::ZERO, DVec3::ZERO)
     }
 
-    fn pigment_function(&self, _: &Arc<Pigment>, _: &Settings) -> Arc<dyn Callable> {
-        Arc::new(Zero(5))
+    fn pigment_function(&self, _: &Arc<Pigment>, _: &Settings) -> Result<Arc<dyn Callable>, Diagnostic> {
+        Ok(Arc::new(Zero(5)))
     }
 
-    fn pattern_function(&self, _: &Arc<Pattern>, _: &Settings) -> Arc<dyn Callable> {
-        Arc::new(Zero(1))
+    fn pattern_function(&self, _: &Arc<Pattern>, _: &Settings) -> Result<Arc<dyn Callable>, Diagnostic> {
+        Ok(Arc::new(Zero(1)))
     }
 }
 

@@ -245,6 +245,7 @@ impl<'h> Evaluator<'h> {
         if !self.errors.is_empty() {
             return Err(std::mem::take(&mut self.errors));
         }
+        self.check_radiosity()?;
         self.finish();
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! What a ray meets where it meets nothing, and on its way.
 
 use super::{Pigment, Turbulence};
+use crate::diag::Span;
 use crate::math::{Color, DVec3, Rgb, Transform};
 use std::sync::Arc;
 
@@ -17,6 +18,8 @@ pub struct Background {
 /// `sky_sphere`: pigments on an infinite sphere, last on top.
 #[derive(Clone, Debug)]
 pub struct SkySphere {
+    /// The word of its block.
+    pub span: Span,
     /// Layers, lowest first.
     pub pigments: Vec<Arc<Pigment>>,
     /// Colour factor.
@@ -29,6 +32,8 @@ pub struct SkySphere {
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct Fog {
+    /// The word of its block.
+    pub span: Span,
     /// Type 2: density falls off with height.
     pub ground: bool,
     pub distance: f64,
@@ -45,6 +50,8 @@ pub struct Fog {
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct Rainbow {
+    /// The word of its block.
+    pub span: Span,
     pub direction: DVec3,
     /// Unit, perpendicular to `direction`.
     pub up: DVec3,

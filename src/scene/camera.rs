@@ -1,6 +1,7 @@
 //! Cameras, with all steps of section 1.3 of the camera facts already applied.
 
 use super::{Normal, Object, Pigment};
+use crate::diag::Span;
 use crate::math::{DVec2, DVec3};
 use std::sync::Arc;
 
@@ -8,6 +9,8 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct Camera {
+    /// The word of its block, or an empty place if there was none.
+    pub span: Span,
     pub kind: CameraKind,
     pub location: DVec3,
     pub direction: DVec3,
@@ -66,6 +69,7 @@ pub struct FocalBlur {
 impl Default for Camera {
     fn default() -> Self {
         Self {
+            span: Span::default(),
             kind: CameraKind::Perspective,
             location: DVec3::ZERO,
             direction: DVec3::Z,

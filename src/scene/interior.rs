@@ -2,6 +2,7 @@
 
 use super::Pattern;
 use super::texture::Blend;
+use crate::diag::Span;
 use crate::math::{Color, Rgb, Transform};
 use std::sync::Arc;
 
@@ -9,6 +10,8 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct Interior {
+    /// The word of its block, or an empty place if nothing was written.
+    pub span: Span,
     /// 0 where none was given.
     pub ior: f64,
     pub caustics: f64,
@@ -25,6 +28,7 @@ pub struct Interior {
 impl Default for Interior {
     fn default() -> Self {
         Self {
+            span: Span::default(),
             ior: 0.0,
             caustics: 0.0,
             dispersion: 1.0,
@@ -51,6 +55,8 @@ impl Interior {
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct Media {
+    /// The word of the block in which it was written.
+    pub span: Span,
     pub method: u8,
     pub intervals: u32,
     pub samples: [u32; 2],

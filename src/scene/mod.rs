@@ -11,12 +11,14 @@
 //!   that same containing space;
 //! - defaults (`#default`, inherited pigments) are already filled in, but texture and
 //!   interior inheritance from CSG parents to children is not: an absent texture means
-//!   "take the parent's".
+//!   "take the parent's";
+//! - what `compile` may have to complain about knows where it was written.
 
 mod atmosphere;
 mod camera;
 mod default_colors;
 mod dump;
+mod global_light;
 mod interior;
 mod light;
 mod object;
@@ -28,6 +30,7 @@ mod texture;
 pub use atmosphere::*;
 pub use camera::*;
 pub use default_colors::default_colors;
+pub use global_light::*;
 pub use interior::*;
 pub use light::*;
 pub use object::*;

@@ -1,7 +1,7 @@
 //! Objects: a shape, where it stands, what it looks like.
 
 use super::{CsgOperation, Interior, Shape, Texture};
-use crate::diag::Span;
+use crate::diag::{Diagnostic, Span};
 use crate::math::{Bounds, Transform};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -255,17 +255,23 @@ pub trait GeometryQueries {
     /// The bounding box.
     fn extent(&self, object: &Arc<Object>) -> Bounds;
     /// Makes a pigment callable: five components at (x, y, z).
+    ///
+    /// # Errors
+    /// What is wrong with it, with a place if one is known.
     fn pigment_function(
         &self,
         pigment: &Arc<super::Pigment>,
         settings: &super::Settings,
-    ) -> Arc<dyn crate::function::Callable>;
+    ) -> Result<Arc<dyn crate::function::Callable>, Diagnostic>;
     /// Makes a pattern callable: one value at (x, y, z).
+    ///
+    /// # Errors
+    /// As [`pigment_function`](Self::pigment_function).
     fn pattern_function(
         &self,
         pattern: &Arc<super::Pattern>,
         settings: &super::Settings,
-    ) -> Arc<dyn crate::function::Callable>;
+    ) -> Result<Arc<dyn crate::function::Callable>, Diagnostic>;
     /// Pixels across and down of the picture a pigment shows, if it shows one.
     fn image_size(&self, _pigment: &Arc<super::Pigment>) -> Option<[u32; 2]> {
         None

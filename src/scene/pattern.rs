@@ -1,6 +1,7 @@
 //! Patterns: a value for each point of space, and how the point is moved first.
 
 use super::{Image, ImageMapping, Object, Pigment};
+use crate::diag::Span;
 use crate::function::Function;
 use crate::math::{DVec3, Transform};
 use std::path::PathBuf;
@@ -126,6 +127,8 @@ pub enum PatternKind {
     Cubic,
     Cylindrical,
     DensityFile {
+        /// The file name.
+        span: Span,
         path: PathBuf,
         interpolation: u8,
         data: Arc<[u8]>,
@@ -164,6 +167,8 @@ pub enum PatternKind {
     Object(Arc<Object>),
     Onion,
     Pavement {
+        /// The word.
+        span: Span,
         sides: u32,
         tiles: u32,
         pattern: u32,
@@ -196,7 +201,7 @@ pub enum PatternKind {
     Wrinkles,
 }
 
-/// What a slope is measured against.
+/// What a slope is measured against; a vector of zero only beside an altitude that is none.
 #[derive(Clone, Copy, Debug)]
 #[allow(missing_docs)]
 pub enum SlopeDirection {

@@ -1,5 +1,7 @@
 //! `global_settings` and the pictures that scenes refer to.
 
+use super::{Photons, Radiosity, Subsurface};
+use crate::diag::Span;
 use crate::function::Function;
 use crate::imaging::Encoded;
 use crate::math::Rgb;
@@ -22,12 +24,12 @@ pub struct Settings {
     /// 1 to 3; the default depends on the version.
     pub noise_generator: Option<u8>,
     pub mm_per_unit: f64,
-    /// `subsurface { samples … radiosity … }`.
-    pub subsurface: Option<([u32; 2], bool)>,
-    /// Whether a `radiosity` block switches it on.
-    pub radiosity: bool,
-    /// Whether a `photons` block switches them on.
-    pub photons: bool,
+    /// Where a `subsurface` block switches it on.
+    pub subsurface: Option<Subsurface>,
+    /// Where a `radiosity` block switches it on.
+    pub radiosity: Option<Radiosity>,
+    /// Where a `photons` block switches them on.
+    pub photons: Option<Photons>,
 }
 
 /// How colours of the scene relate to linear light.
@@ -71,8 +73,8 @@ impl Default for Settings {
             noise_generator: None,
             mm_per_unit: 10.0,
             subsurface: None,
-            radiosity: false,
-            photons: false,
+            radiosity: None,
+            photons: None,
         }
     }
 }
@@ -87,6 +89,8 @@ impl Settings {
 /// A picture named by a scene: a file that was found, or a function to sample.
 #[derive(Clone, Debug)]
 pub struct Image {
+    /// The file name, or the word `function`.
+    pub span: Span,
     /// Where pixels come from.
     pub source: ImageSource,
     /// `gamma` after the file name.

@@ -1,6 +1,7 @@
 //! Textures: pigments, normals and finishes, alone, layered or blended by a pattern.
 
 use super::{Image, MapType, Pattern, PatternKind};
+use crate::diag::Span;
 use crate::math::{Color, Rgb, Transform};
 use std::sync::Arc;
 
@@ -41,6 +42,8 @@ pub struct PatternedTexture {
     pub uv_mapping: bool,
     /// As [`Pigment::depth`].
     pub depth: u32,
+    /// Its first word.
+    pub span: Span,
 }
 
 /// How a pattern's value picks among items.
@@ -70,12 +73,14 @@ pub struct MapEntry<T> {
 pub struct Pigment {
     /// What colour, where.
     pub kind: PigmentKind,
-    /// The colour at quality 5 and below.
-    pub quick_color: Option<Color>,
+    /// The colour at quality 5 and below; few have one, and it must not take up room in all others.
+    pub quick_color: Option<Box<Color>>,
     /// Everything inside is looked up at (u, v, 0).
     pub uv_mapping: bool,
     /// Levels of parts inside one another, down from this one; noted once it is complete.
     pub depth: u32,
+    /// Its first word, or an empty place if nothing was written.
+    pub span: Span,
 }
 
 /// The sorts of pigment. Copies that stand elsewhere share everything but the pattern.
@@ -93,7 +98,13 @@ pub enum PigmentKind {
 
 impl Default for Pigment {
     fn default() -> Self {
-        Self { kind: PigmentKind::Solid(Color::BLACK), quick_color: None, uv_mapping: false, depth: 0 }
+        Self {
+            kind: PigmentKind::Solid(Color::BLACK),
+            quick_color: None,
+            uv_mapping: false,
+            depth: 0,
+            span: Span::default(),
+        }
     }
 }
 
@@ -162,6 +173,8 @@ pub struct Normal {
     pub uv_mapping: bool,
     /// As [`Pigment::depth`].
     pub depth: u32,
+    /// As [`Pigment::span`].
+    pub span: Span,
 }
 
 /// The sorts of normal.
@@ -266,6 +279,7 @@ impl Default for Normal {
             no_bump_scale: false,
             uv_mapping: false,
             depth: 0,
+            span: Span::default(),
         }
     }
 }

@@ -24,7 +24,7 @@ pub(super) fn collect_lights(
             if !world_from_parent.is_identity() {
                 Arc::make_mut(&mut light).apply(world_from_parent);
             }
-            out.lights.push(PlacedLight { light, group });
+            out.lights.push(PlacedLight { span: object.span, light, group });
         }
         // Only direct members belong to a group: in a union inside it they are global.
         Shape::Csg { children, .. } if census.of(children).lights > 0 || census.of(children).light_groups => {

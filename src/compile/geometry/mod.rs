@@ -23,7 +23,7 @@ mod watch;
 
 use crate::compiled::geometry::{Geometry, Group, GroupBuilder, InteriorId, LightGroupId, TextureId};
 use crate::compiled::{Labels, Table};
-use crate::diag::{Diagnostic, SourceResult};
+use crate::diag::{Diagnostic, SourceResult, Span};
 use crate::math::Transform;
 use crate::scene::{Interior, LightSource, Object, Scene, Settings, Texture};
 use builder::Builder;
@@ -63,6 +63,8 @@ pub struct CompiledGeometry {
 /// A light source in world space.
 #[derive(Clone, Debug)]
 pub struct PlacedLight {
+    /// Where its statement stands.
+    pub span: Span,
     /// The light; all positions in world space.
     pub light: Arc<LightSource>,
     /// The light group it belongs to; `None` for global lights.

@@ -1,6 +1,6 @@
 //! From scene textures to compiled ones: constants folded, identities dropped, pictures loaded once.
 //!
-//! Messages carry no place here; the caller knows which object asked.
+//! Messages carry the place of the innermost part that has one.
 
 mod finish;
 mod normal;
@@ -11,6 +11,7 @@ use super::picture::Pictures;
 use crate::compiled::texture::{
     Blend, Finish, ImageMap, Layer, Normal, PatternedTexture, Pigment, Texture, WaveSources,
 };
+use crate::diag::{Diagnostic, Span};
 use crate::math::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{self, PigmentKind, Settings};
@@ -22,8 +23,40 @@ use std::sync::Arc;
 /// so that their addresses stay their own.
 type Shared<S, T> = FxHashMap<usize, (Arc<S>, Arc<T>, usize)>;
 
-/// Why a texture cannot be compiled, in one sentence without a full stop.
-pub type Refusal = String;
+/// Why a texture cannot be compiled.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// Where it is, as far as that is known already.
+    pub span: Option<Span>,
+    /// What is wrong, in one sentence without a full stop.
+    pub message: String,
+}
+
+impl Refusal {
+    /// At a place that was written, unless one further inside is known.
+    #[must_use]
+    pub fn at(self, span: Span) -> Self {
+        let written = (span != Span::default()).then_some(span);
+        Self { span: self.span.or(written), ..self }
+    }
+
+    /// As an error of the scene.
+    pub fn diagnostic(self) -> Diagnostic {
+        Diagnostic { span: self.span, ..Diagnostic::error(Span::default(), self.message) }
+    }
+}
+
+impl From<String> for Refusal {
+    fn from(message: String) -> Self {
+        Self { span: None, message }
+    }
+}
+
+impl From<&str> for Refusal {
+    fn from(message: &str) -> Self {
+        message.to_owned().into()
+    }
+}
 
 /// Compiles textures of one scene; what several of them share is compiled once.
 #[derive(Debug)]
@@ -85,7 +118,7 @@ impl<'s> TextureCompiler<'s> {
     fn count(&mut self, n: usize) -> Result<(), Refusal> {
         self.n_parts += n;
         if self.n_parts > MAX_PARTS {
-            return Err(format!("more than {MAX_PARTS} pigments, normals and textures inside one another"));
+            return Err(format!("more than {MAX_PARTS} pigments, normals and textures inside one another").into());
         }
         Ok(())
     }
@@ -125,21 +158,23 @@ impl<'s> TextureCompiler<'s> {
             scene::Texture::Layers(layers) => {
                 Texture::Layers(layers.iter().map(|l| self.layer(l)).collect::<Result<_, _>>()?)
             }
-            scene::Texture::Patterned(patterned) => {
-                let mut pattern = self.pattern(&patterned.pattern)?;
-                let items =
-                    self.blend(&patterned.map, |compiler, t| compiler.once(t, |c| &mut c.textures, |c| c.texture(t)))?;
-                if let crate::compiled::texture::PatternKind::Material(_, _, n) = &mut pattern.kind {
-                    *n = items.iter().count();
-                }
-                let uv_mapping = patterned.uv_mapping;
-                let mut compiled = PatternedTexture { pattern, items, no_bump_scale: false, uv_mapping };
-                if patterned.no_bump_scale {
-                    compiled.keep_bump_depth();
-                }
-                Texture::Patterned(Box::new(compiled))
-            }
+            scene::Texture::Patterned(patterned) => self.patterned(patterned).map_err(|r| r.at(patterned.span))?,
         })
+    }
+
+    fn patterned(&mut self, patterned: &scene::PatternedTexture) -> Result<Texture, Refusal> {
+        let mut pattern = self.pattern(&patterned.pattern)?;
+        let items =
+            self.blend(&patterned.map, |compiler, t| compiler.once(t, |c| &mut c.textures, |c| c.texture(t)))?;
+        if let crate::compiled::texture::PatternKind::Material(_, _, n) = &mut pattern.kind {
+            *n = items.iter().count();
+        }
+        let uv_mapping = patterned.uv_mapping;
+        let mut compiled = PatternedTexture { pattern, items, no_bump_scale: false, uv_mapping };
+        if patterned.no_bump_scale {
+            compiled.keep_bump_depth();
+        }
+        Ok(Texture::Patterned(Box::new(compiled)))
     }
 
     fn layer(&mut self, layer: &scene::TextureLayer) -> Result<Layer, Refusal> {
@@ -157,7 +192,7 @@ impl<'s> TextureCompiler<'s> {
             pigment,
             normal,
             finish: self.once(&layer.finish, |c| &mut c.finishes, |_| Ok(finish::compile(&layer.finish, settings)))?,
-            quick_color: layer.pigment.quick_color,
+            quick_color: layer.pigment.quick_color.as_deref().copied(),
         })
     }
 
@@ -170,7 +205,7 @@ impl<'s> TextureCompiler<'s> {
     /// # Errors
     /// As [`texture`](Self::texture).
     pub fn pigment(&mut self, pigment: &scene::Pigment) -> Result<Pigment, Refusal> {
-        self.part(|compiler| compiler.whole_pigment(pigment))
+        self.part(|compiler| compiler.whole_pigment(pigment)).map_err(|r| r.at(pigment.span))
     }
 
     fn whole_pigment(&mut self, pigment: &scene::Pigment) -> Result<Pigment, Refusal> {

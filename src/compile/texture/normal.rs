@@ -12,7 +12,7 @@ impl TextureCompiler<'_> {
     /// # Errors
     /// As [`texture`](Self::texture).
     pub fn normal(&mut self, normal: &scene::Normal) -> Result<Normal, Refusal> {
-        self.part(|compiler| compiler.whole_normal(normal))
+        self.part(|compiler| compiler.whole_normal(normal)).map_err(|r| r.at(normal.span))
     }
 
     fn whole_normal(&mut self, normal: &scene::Normal) -> Result<Normal, Refusal> {

@@ -66,8 +66,9 @@ impl TextureCompiler<'_> {
             })),
             S::Cubic => PatternKind::Cubic,
             S::Cylindrical => PatternKind::Cylindrical,
-            S::DensityFile { interpolation, data, .. } => {
-                PatternKind::Density(Arc::new(DensityFile::new(data, *interpolation)?))
+            S::DensityFile { span, interpolation, data, .. } => {
+                let read = DensityFile::new(data, *interpolation);
+                PatternKind::Density(Arc::new(read.map_err(|wrong| Refusal::from(wrong).at(*span))?))
             }
             S::Dents => PatternKind::Dents(generator),
             S::Function(function) => PatternKind::Function(Arc::clone(function)),
@@ -83,10 +84,13 @@ impl TextureCompiler<'_> {
             S::Material(picture) => PatternKind::Material(self.value_picture(&picture.0)?, mapping_of(&picture.1), 0),
             S::Object(object) => PatternKind::Object(Arc::new(solid(object)?)),
             S::Onion => PatternKind::Onion,
-            S::Pavement { sides, tiles, pattern, interior, exterior, form } => {
+            S::Pavement { span, sides, tiles, pattern, interior, exterior, form } => {
                 let pavement = Pavement::new(*sides, *tiles, *pattern, [*interior, *exterior, *form]);
-                let wanted =
-                    || format!("there is no pavement of {tiles} tiles with {sides} sides in pattern {pattern}");
+                let wanted = || {
+                    let wrong =
+                        format!("there is no pavement of {tiles} tiles with {sides} sides in pattern {pattern}");
+                    Refusal::from(wrong).at(*span)
+                };
                 PatternKind::Pavement(pavement.ok_or_else(wanted)?)
             }
             S::Pigment(pigment) => PatternKind::Pigment(Arc::new(self.pigment(pigment)?)),
@@ -95,7 +99,7 @@ impl TextureCompiler<'_> {
             S::Radial => PatternKind::Radial,
             S::Ripples => PatternKind::Ripples(self.wave_sources()),
             S::Slope { direction, low, high, altitude } => {
-                PatternKind::Slope(Box::new(slope(direction, [*low, *high], altitude)?))
+                PatternKind::Slope(Box::new(slope(direction, [*low, *high], altitude)))
             }
             S::Spherical => PatternKind::Spherical,
             S::Spiral1(arms) => PatternKind::Spiral1(f64::from(*arms), inner()),
@@ -129,7 +133,7 @@ impl TextureCompiler<'_> {
 /// The object of an object pattern.
 fn solid(object: &Arc<scene::Object>) -> Result<Geometry, Refusal> {
     compile_object(object).map_err(|errors| match errors.into_iter().next() {
-        Some(error) => format!("in an object pattern: {}", error.message),
+        Some(error) => Refusal { span: error.span, message: format!("in an object pattern: {}", error.message) },
         None => "this object cannot serve as a pattern".into(),
     })
 }
@@ -162,11 +166,7 @@ fn fractal(kind: &scene::PatternKind) -> Result<Fractal, Refusal> {
     Ok(Fractal { set, exponent, iterations: *iterations, exterior, interior })
 }
 
-fn slope(
-    direction: &scene::SlopeDirection,
-    range: [f64; 2],
-    altitude: &Option<(DVec3, f64, f64)>,
-) -> Result<Slope, Refusal> {
+fn slope(direction: &scene::SlopeDirection, range: [f64; 2], altitude: &Option<(DVec3, f64, f64)>) -> Slope {
     let (axis, length) = match direction {
         scene::SlopeDirection::Vector(v) => (SlopeAxis::Direction(v.normalize_or_zero()), v.length()),
         scene::SlopeDirection::PointAt(q) => (SlopeAxis::Towards(*q), 1.0),
@@ -175,13 +175,10 @@ fn slope(
         None => None,
         Some((up, low, high)) => {
             let total = length + up.length();
-            if total == 0.0 {
-                return Err("slope and altitude must not both be zero vectors".into());
-            }
             Some((length / total, up.normalize_or_zero(), [*low, *high]))
         }
     };
-    Ok(Slope { axis, range, altitude })
+    Slope { axis, range, altitude }
 }
 
 pub(super) fn mapping_of(mapping: &scene::ImageMapping) -> crate::compiled::texture::Mapping {

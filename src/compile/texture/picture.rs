@@ -26,10 +26,18 @@ impl TextureCompiler<'_> {
         image: &scene::Image,
         curve: impl FnOnce(ImageFormat, &Pixels) -> Curve,
     ) -> Result<Arc<Raster>, Refusal> {
+        self.raster_of(image, curve).map_err(|r| r.at(image.span))
+    }
+
+    fn raster_of(
+        &mut self,
+        image: &scene::Image,
+        curve: impl FnOnce(ImageFormat, &Pixels) -> Curve,
+    ) -> Result<Arc<Raster>, Refusal> {
         match &image.source {
             ImageSource::File { file, format } => {
                 if *format == ImageFormat::Pot {
-                    return Err(format!("{}: pot files are for height fields only", file.path().display()));
+                    return Err(format!("{}: pot files are for height fields only", file.path().display()).into());
                 }
                 let pixels = file.pixels()?;
                 let curve = curve(*format, &pixels);
@@ -249,6 +257,6 @@ mod tests {
         };
         assert!(pigments.len() == 5 && pigments.iter().all(|p| colors(p) == colors(&pigments[0])));
         // A hundred thousand objects have a texture each.
-        assert!(size_of::<Layer>() <= 80 && size_of::<crate::scene::Pigment>() <= 64);
+        assert!(size_of::<Layer>() <= 80 && size_of::<crate::scene::Pigment>() <= 56);
     }
 }

@@ -18,13 +18,16 @@ impl Evaluator<'_> {
 
     /// `{ … }` after `sky_sphere`.
     pub(super) fn sky_sphere(&mut self) -> SourceResult<SkySphere> {
+        let span = self.span();
         self.open("sky_sphere")?;
         let pick = |v: &Value| if let Value::SkySphere(s) = v { Some((**s).clone()) } else { None };
         let mut sky = self.take_declared(pick)?.unwrap_or(SkySphere {
+            span,
             pigments: Vec::new(),
             emission: Rgb::ONE,
             transform: Transform::IDENTITY,
         });
+        sky.span = span;
         loop {
             self.comma()?;
             if let Some(transform) = self.transformation()? {
@@ -46,9 +49,11 @@ impl Evaluator<'_> {
 
     /// `{ … }` after `fog`.
     pub(super) fn fog(&mut self) -> SourceResult<Fog> {
+        let span = self.span();
         self.open("fog")?;
         let pick = |v: &Value| if let Value::Fog(f) = v { Some((**f).clone()) } else { None };
         let mut fog = self.take_declared(pick)?.unwrap_or(Fog {
+            span,
             ground: false,
             distance: 0.0,
             color: Color::BLACK,
@@ -58,6 +63,7 @@ impl Evaluator<'_> {
             turbulence: None,
             turb_depth: 0.5,
         });
+        fog.span = span;
         loop {
             self.comma()?;
             if let Some(transform) = self.transformation()? {
@@ -123,9 +129,11 @@ impl Evaluator<'_> {
 
     /// `{ … }` after `rainbow`.
     pub(super) fn rainbow(&mut self) -> SourceResult<Rainbow> {
+        let span = self.span();
         self.open("rainbow")?;
         let pick = |v: &Value| if let Value::Rainbow(r) = v { Some((**r).clone()) } else { None };
         let mut rainbow = self.take_declared(pick)?.unwrap_or_else(|| Rainbow {
+            span,
             direction: DVec3::ZERO,
             up: DVec3::Y,
             angle_deg: 0.0,
@@ -136,7 +144,7 @@ impl Evaluator<'_> {
             falloff_angle_deg: None,
             pigment: Arc::new(Pigment::solid(Color { transmit: 1.0, ..Color::BLACK })),
         });
-        let span = self.span();
+        rainbow.span = span;
         while let Some(keyword) = self.keyword()? {
             if !self.rainbow_item(keyword, &mut rainbow)? {
                 break;

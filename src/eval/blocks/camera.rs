@@ -13,6 +13,8 @@ const VERSION_OF_UNORDERED_CAMERAS: u32 = 350;
 /// What a camera block says, before it is worked into a frame.
 #[derive(Clone, Debug)]
 pub struct CameraStatement {
+    /// The word of its block.
+    span: Span,
     kind: CameraKind,
     location: DVec3,
     direction: DVec3,
@@ -37,6 +39,7 @@ pub struct CameraStatement {
 impl Default for CameraStatement {
     fn default() -> Self {
         Self {
+            span: Span::default(),
             kind: CameraKind::Perspective,
             location: DVec3::ZERO,
             direction: DVec3::Z,
@@ -122,6 +125,7 @@ impl CameraStatement {
         let angle_deg = self.angle_deg.unwrap_or(if matches!(self.kind, CameraKind::Spherical) { 360.0 } else { 90.0 });
         let half_if_given = if self.angle_deg.is_some() { angle_deg / 2.0 } else { 180.0 };
         Camera {
+            span: self.span,
             location: t.point(self.location),
             direction: t.vector(self.direction),
             up: t.vector(self.up),
@@ -143,6 +147,7 @@ impl CameraStatement {
 impl Evaluator<'_> {
     /// `{ … }` after `camera`.
     pub(super) fn camera_block(&mut self) -> SourceResult<CameraStatement> {
+        let span = self.span();
         self.open("camera")?;
         let pick = |v: &Value| if let Value::Camera(c) = v { Some((**c).clone()) } else { None };
         let mut camera = match self.take_declared(pick)? {
@@ -152,6 +157,7 @@ impl Evaluator<'_> {
             }
             None => self.defaults.camera.clone(),
         };
+        camera.span = span;
         self.camera_kind(&mut camera)?;
         while self.camera_item(&mut camera)? {
             self.comma()?;

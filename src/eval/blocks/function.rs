@@ -4,10 +4,10 @@
 //! Section 2 of the function facts.
 
 use super::pattern::no_list;
-use crate::diag::{SourceResult, Span};
+use crate::diag::{Diagnostic, SourceResult, Span};
 use crate::eval::macros::arguments_in_words;
 use crate::eval::{Evaluator, Place, Value};
-use crate::function::{Binary, Function, FunctionBody, Internal, Program, ProgramBuilder, Slot, Unary};
+use crate::function::{Binary, Callable, Function, FunctionBody, Internal, Program, ProgramBuilder, Slot, Unary};
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{Pattern, PatternKind, Pigment};
 use crate::syntax::{Keyword as K, Symbol, TokenKind};
@@ -102,7 +102,8 @@ impl Evaluator<'_> {
         let (n_parameters, body) = match keyword {
             K::Pigment => {
                 let pigment = Arc::new(self.pigment_block(Pigment::default())?);
-                (3, FunctionBody::External(self.queries.pigment_function(&pigment, &self.scene.settings)))
+                let made = self.queries.pigment_function(&pigment, &self.scene.settings);
+                (3, FunctionBody::External(self.made_callable(made, span)?))
             }
             K::Pattern => {
                 self.open("pattern")?;
@@ -114,7 +115,8 @@ impl Evaluator<'_> {
                     self.comma()?;
                 }
                 self.close("pattern")?;
-                (3, FunctionBody::External(self.queries.pattern_function(&Arc::new(pattern), &self.scene.settings)))
+                let made = self.queries.pattern_function(&Arc::new(pattern), &self.scene.settings);
+                (3, FunctionBody::External(self.made_callable(made, span)?))
             }
             K::Transform => (3, FunctionBody::Transform(self.transform_block()?)),
             K::Spline => (1, FunctionBody::External(self.spline_block()?)),
@@ -131,6 +133,18 @@ impl Evaluator<'_> {
             }
         };
         Ok(Function { n_parameters, body })
+    }
+
+    /// What was made of a pigment or pattern; what is wrong with it stands at `span` at least.
+    fn made_callable(
+        &self,
+        made: Result<Arc<dyn Callable>, Diagnostic>,
+        span: Span,
+    ) -> SourceResult<Arc<dyn Callable>> {
+        made.map_err(|wrong| {
+            let span = wrong.span.or(Some(span));
+            vec![self.with_trace(Diagnostic { span, ..wrong })]
+        })
     }
 
     fn expression_body(&mut self, names: &[Rc<str>]) -> SourceResult<Function> {

@@ -38,6 +38,7 @@ impl Evaluator<'_> {
             }
             let function = self.plain_function()?;
             return Ok(Image {
+                span,
                 source: ImageSource::Function { width, height, function },
                 gamma: None,
                 premultiplied: None,
@@ -50,7 +51,7 @@ impl Evaluator<'_> {
             self.comma()?;
             self.warn(Topic::Ignored, span, "an orientation vector before the file name has no effect");
         }
-        let source = self.image_file()?;
+        let (source, span) = self.image_file()?;
         let mode = self.scene.settings.gamma;
         let (mut gamma, mut premultiplied) = (None, None);
         loop {
@@ -59,7 +60,7 @@ impl Evaluator<'_> {
             } else if self.accept(K::Premultiplied)? {
                 premultiplied = Some(self.optional_bool()?);
             } else {
-                return Ok(Image { source, gamma, premultiplied, mode });
+                return Ok(Image { span, source, gamma, premultiplied, mode });
             }
         }
     }
@@ -84,7 +85,8 @@ impl Evaluator<'_> {
         if gamma > 0.0 { Ok(Working::Power(gamma)) } else { self.error(span, "gamma must be greater than 0") }
     }
 
-    fn image_file(&mut self) -> SourceResult<ImageSource> {
+    /// A picture file with the place of its name.
+    fn image_file(&mut self) -> SourceResult<(ImageSource, Span)> {
         let mut chosen = None;
         if let Some(keyword) = self.keyword()?
             && let Some(entry) = TYPES.iter().find(|t| t.0 == keyword)
@@ -112,7 +114,7 @@ impl Evaluator<'_> {
             return self.error_with_hint(span, format!("IFF pictures such as \"{name}\" cannot be read"), hint);
         };
         match self.find_typed(&name, extensions) {
-            Some(path) => Ok(ImageSource::File { file: self.picture_file(path, format, span)?, format }),
+            Some(path) => Ok((ImageSource::File { file: self.picture_file(path, format, span)?, format }, span)),
             None => self.error(span, format!("cannot find the image \"{name}\"")),
         }
     }

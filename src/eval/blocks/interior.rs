@@ -1,7 +1,7 @@
 //! `interior { … }`, `media { … }` and `density { … }`.
 
 use super::pattern::no_list;
-use crate::diag::{SourceResult, Topic};
+use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{Color, Rgb};
 use crate::scene::{Blend, Density, Interior, Media, Pattern, PatternKind};
@@ -15,10 +15,12 @@ const VERSION_WITH_MEDIA_METHOD_3: u32 = 350;
 impl Evaluator<'_> {
     /// `{ … }` after `interior`, changing what the object has already.
     pub(super) fn interior_block(&mut self, start: Option<Arc<Interior>>) -> SourceResult<Interior> {
+        let span = self.span();
         self.open("interior")?;
         let pick = |v: &Value| if let Value::Interior(i) = v { Some(i.clone()) } else { None };
         let known = self.take_declared(pick)?.or(start);
         let mut interior = known.map_or_else(Interior::default, |i| (*i).clone());
+        interior.span = span;
         loop {
             self.comma()?;
             if let Some(transform) = self.transformation()? {
@@ -71,9 +73,10 @@ impl Evaluator<'_> {
     }
 
     /// What a `media` block starts from under the version in force.
-    fn default_media(&self) -> Media {
+    fn default_media(&self, span: Span) -> Media {
         let new = self.version >= VERSION_WITH_MEDIA_METHOD_3;
         Media {
+            span,
             method: if new { 3 } else { 1 },
             intervals: if new { 1 } else { 10 },
             samples: if new { [10, 10] } else { [1, 1] },
@@ -93,10 +96,12 @@ impl Evaluator<'_> {
 
     /// `{ … }` after `media`.
     pub(super) fn media_block(&mut self) -> SourceResult<Media> {
+        let span = self.span();
         self.open("media")?;
         let pick = |v: &Value| if let Value::Media(m) = v { Some((**m).clone()) } else { None };
         let known = self.take_declared(pick)?;
-        let mut media = known.unwrap_or_else(|| self.default_media());
+        let mut media = known.unwrap_or_else(|| self.default_media(span));
+        media.span = span;
         loop {
             self.comma()?;
             if let Some(transform) = self.transformation()? {
@@ -179,7 +184,7 @@ impl Evaluator<'_> {
         Ok(true)
     }
 
-    fn at_least_one(&mut self, span: crate::diag::Span, what: &str) -> SourceResult<u32> {
+    fn at_least_one(&mut self, span: Span, what: &str) -> SourceResult<u32> {
         match self.integer()? {
             n if n >= 1 => Ok(n.min(i64::from(u32::MAX)) as u32),
             _ => self.error(span, format!("{what} must be at least 1")),

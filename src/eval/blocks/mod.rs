@@ -9,6 +9,7 @@ mod defaults;
 mod finish;
 mod freeform;
 mod function;
+mod global_light;
 mod image;
 mod implicit;
 mod interior;

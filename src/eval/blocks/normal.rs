@@ -35,7 +35,7 @@ impl Evaluator<'_> {
     }
 
     fn whole_normal(&mut self, start: Option<Arc<Normal>>) -> SourceResult<Arc<Normal>> {
-        let span = self.span();
+        let span = self.peek()?.span;
         let mut normal = start.map(|n| (*n).clone()).unwrap_or_default();
         if self.accept(K::UvMapping)? {
             normal.uv_mapping = true;
@@ -47,6 +47,7 @@ impl Evaluator<'_> {
             normal.uv_mapping |= uv_mapping;
         }
         while self.normal_item(&mut normal)? {}
+        normal.span = span;
         normal.depth = self.nested(normal.depth_of_parts(), span)?;
         Ok(Arc::new(normal))
     }

@@ -105,7 +105,7 @@ impl Evaluator<'_> {
                     None => return self.expected("an object"),
                 }
             }
-            K::Pavement => P::Pavement { sides: 3, tiles: 1, pattern: 1, interior: 0, exterior: 0, form: 0 },
+            K::Pavement => P::Pavement { span, sides: 3, tiles: 1, pattern: 1, interior: 0, exterior: 0, form: 0 },
             K::PigmentPattern => P::Pigment(Arc::new(self.pigment_block(Default::default())?)),
             K::Quilted => P::Quilted { control0: 1.0, control1: 1.0 },
             K::Slope => self.slope()?,
@@ -162,6 +162,9 @@ impl Evaluator<'_> {
                     return self.error(span, "slope takes no altitude with point_at");
                 }
                 let axis = self.vector()?;
+                if axis == DVec3::ZERO && matches!(direction, SlopeDirection::Vector(DVec3::ZERO)) {
+                    return self.error(span, "slope and altitude must not both be zero vectors");
+                }
                 let (low, high) = self.optional_pair()?;
                 altitude = Some((axis, low, high));
             }
@@ -191,7 +194,7 @@ impl Evaluator<'_> {
             return self.error(span, format!("cannot find the density file \"{name}\""));
         };
         let data = self.bytes_of(&path, span)?.into();
-        Ok(PatternKind::DensityFile { path, interpolation: 0, data })
+        Ok(PatternKind::DensityFile { span, path, interpolation: 0, data })
     }
 
     /// One modifier that any pattern takes, if one comes next.
@@ -331,7 +334,7 @@ impl Evaluator<'_> {
                 }
                 *c = FractalColoring { kind: kind as u32, factor: self.float()? };
             }
-            (_, P::Pavement { sides, tiles, pattern, interior, exterior, form }) => {
+            (_, P::Pavement { sides, tiles, pattern, interior, exterior, form, .. }) => {
                 let field = match keyword {
                     K::NumberOfSides => sides,
                     K::NumberOfTiles => tiles,

@@ -1,6 +1,6 @@
 //! `pigment { … }`.
 
-use crate::diag::SourceResult;
+use crate::diag::{SourceResult, Span};
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
 use crate::scene::{Blend, ImageMap, MapEntry, MapType, Pattern, PatternKind, Pigment, PigmentKind, default_colors};
@@ -12,7 +12,7 @@ use std::sync::Arc;
 struct Draft {
     pattern: Pattern,
     content: Content,
-    quick_color: Option<Color>,
+    quick_color: Option<Box<Color>>,
     uv_mapping: bool,
 }
 
@@ -34,14 +34,14 @@ impl Draft {
         Self { pattern, content, quick_color: pigment.quick_color, uv_mapping: pigment.uv_mapping }
     }
 
-    fn finish(self) -> Pigment {
+    fn finish(self, span: Span) -> Pigment {
         let kind = match self.content {
             Content::Solid(color) => PigmentKind::Solid(color),
             Content::Colors(colors) => PigmentKind::Colors(self.pattern.into(), colors),
             Content::Pigments(pigments) => PigmentKind::Pigments(self.pattern.into(), pigments),
             Content::Image(image) => PigmentKind::Image(self.pattern.into(), image),
         };
-        Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping, depth: 0 }
+        Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping, depth: 0, span }
     }
 
     /// After a pattern keyword with the items of a block pattern, if there are some.
@@ -116,7 +116,7 @@ impl Evaluator<'_> {
     }
 
     fn whole_pigment(&mut self, start: Pigment) -> SourceResult<Pigment> {
-        let span = self.span();
+        let span = self.peek()?.span;
         let mut draft = Draft::new(start);
         if self.accept(K::UvMapping)? {
             draft = self.uv_mapped();
@@ -128,7 +128,7 @@ impl Evaluator<'_> {
             draft.uv_mapping |= uv_mapping;
         }
         while self.pigment_item(&mut draft)? {}
-        let mut pigment = draft.finish();
+        let mut pigment = draft.finish(span);
         pigment.depth = self.nested(pigment.depth_of_parts(), span)?;
         Ok(pigment)
     }
@@ -161,7 +161,7 @@ impl Evaluator<'_> {
             }
             Some(K::QuickColor | K::QuickColour) => {
                 self.next()?;
-                draft.quick_color = Some(self.color()?);
+                draft.quick_color = Some(Box::new(self.color()?));
                 return Ok(true);
             }
             Some(K::UvMapping) => {

@@ -86,23 +86,15 @@ impl Evaluator<'_> {
             }
             K::Subsurface => {
                 self.next()?;
-                self.subsurface_settings()?;
+                self.subsurface_settings(span)?;
             }
             K::Photons => {
                 self.next()?;
-                self.scene.settings.photons = true;
-                self.warn_here(Topic::Unsupported, span, "photons are not supported yet: caustics will be missing");
-                self.skip_settings("photons")?;
+                self.photon_settings(span)?;
             }
             K::Radiosity => {
                 self.next()?;
-                self.scene.settings.radiosity = true;
-                self.warn_here(
-                    Topic::Unsupported,
-                    span,
-                    "radiosity is not supported yet: indirect light will be missing",
-                );
-                self.skip_settings("radiosity")?;
+                self.radiosity_settings(span)?;
             }
             _ => return Ok(false),
         }
@@ -117,47 +109,5 @@ impl Evaluator<'_> {
         }
         self.next()?;
         Ok(())
-    }
-
-    fn subsurface_settings(&mut self) -> SourceResult<()> {
-        self.open("subsurface")?;
-        let (mut samples, mut radiosity) = ([50, 50], false);
-        loop {
-            self.comma()?;
-            if self.accept(K::Samples)? {
-                samples[0] = self.integer()?.clamp(0, 1 << 20) as u32;
-                self.comma()?;
-                if self.starts_expression()? {
-                    samples[1] = self.integer()?.clamp(0, 1 << 20) as u32;
-                }
-            } else if self.accept(K::Radiosity)? {
-                radiosity = self.optional_bool()?;
-            } else {
-                break;
-            }
-        }
-        self.scene.settings.subsurface = Some((samples, radiosity));
-        self.close("subsurface")
-    }
-
-    /// Reads the settings of a feature that the renderer does not have yet: words with numbers,
-    /// colours or strings, evaluated for their errors and side effects.
-    fn skip_settings(&mut self, what: &str) -> SourceResult<()> {
-        self.open(what)?;
-        while !self.at_punct('}')? {
-            self.comma()?;
-            if self.keyword()?.is_some() && !self.starts_expression()? && !self.at_color()? {
-                self.next()?;
-            } else if self.starts_string()? {
-                self.string()?;
-            } else if self.at_color()? {
-                self.color()?;
-            } else if self.starts_expression()? {
-                self.any_expression()?;
-            } else {
-                break;
-            }
-        }
-        self.close(what)
     }
 }

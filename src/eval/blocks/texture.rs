@@ -126,14 +126,15 @@ impl Evaluator<'_> {
 
     /// The inside of a texture that starts with a pattern, if one does here.
     fn patterned_texture(&mut self) -> SourceResult<Option<PatternedTexture>> {
+        let span = self.peek()?.span;
         let mut patterned = PatternedTexture {
+            span,
             pattern: Pattern::new(PatternKind::None),
             map: Blend::Default,
             no_bump_scale: false,
             uv_mapping: false,
             depth: 0,
         };
-        let span = self.span();
         match self.keyword()? {
             Some(K::MaterialMap) => {
                 self.next()?;

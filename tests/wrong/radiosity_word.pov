@@ -1,0 +1,4 @@
+// A setting of another block.
+#version 3.7;
+global_settings { assumed_gamma 1 radiosity { brightness 2 jitter 1 } }
+sphere { 0, 1 pigment { rgb 1 } }
