@@ -165,7 +165,7 @@ impl Evaluator<'_> {
                 if self.starts_another()? {
                     photons.media_factor = self.float()?;
                 }
-                if !(photons.media_factor > 0.0) {
+                if photons.media_factor.is_nan() || photons.media_factor <= 0.0 {
                     return self.error(span, "the second number of photons' media must be above 0");
                 }
             }
