@@ -188,7 +188,7 @@ impl Evaluator<'_> {
         if !self.accept(K::Df3)? {
             return self.expected("'df3' and a file name");
         }
-        let span = self.span();
+        let span = self.peek()?.span;
         let name = self.file_name()?;
         let Some(path) = self.find_typed(&name, &["df3", "DF3"]) else {
             return self.error(span, format!("cannot find the density file \"{name}\""));

@@ -17,8 +17,8 @@ impl Evaluator<'_> {
 
     /// One setting, if one comes next.
     pub(super) fn setting(&mut self) -> SourceResult<bool> {
-        let span = self.span();
         let Some(keyword) = self.keyword()? else { return Ok(false) };
+        let span = self.span();
         match keyword {
             K::AssumedGamma => {
                 self.next()?;
