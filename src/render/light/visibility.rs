@@ -24,6 +24,7 @@ const PROJECTION_MARGIN: f64 = 0.001;
 ///
 /// With `bare` the light's own colour is filtered, without cone and fade: for lights whose
 /// samples each have their own.
+#[inline]
 pub(super) fn light_through(
     worker: &mut Worker<'_>,
     vertex: &Vertex<'_>,

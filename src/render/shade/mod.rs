@@ -30,6 +30,7 @@ pub(super) struct Lookup<'p> {
 
 impl<'p> Lookup<'p> {
     /// On a surface before any bump, seen along a unit direction, from which `normal` is turned to.
+    #[inline(always)]
     pub(super) fn new(surface: &Surface, direction: DVec3, normal: DVec3, lane: Option<Lane<'p>>) -> Self {
         let context = Context { uv: surface.uv, normal, perturbed_normal: normal, direction, point: surface.point };
         Self { context, lane }

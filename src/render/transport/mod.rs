@@ -87,17 +87,18 @@ fn layered<G: Gather>(
     lookup: &mut Lookup<'_>,
     arriving: &mut ArrivingLight,
 ) -> G {
-    let Shaded { mut found, beyond, mirrors } = shade::<G>(worker, vertex, layers, lookup, arriving);
+    let mut shaded: Shaded<'_, G> = shade(worker, vertex, layers, lookup, arriving);
     let mut total_reflection = None;
-    if let Some(boundary) = &beyond {
+    if let Some(boundary) = &shaded.beyond {
         let (term, light) = transmitted(worker, vertex, boundary);
-        found.add(term, light);
+        shaded.found.add(term, light);
         total_reflection = (term == Term::Reflection).then_some(boundary.normal);
     }
-    for mirror in mirrors.iter().filter(|mirror| !total_reflection.is_some_and(|normal| mirror.has_normal(normal))) {
-        found.add(Term::Reflection, Radiance::opaque(mirror_image(worker, vertex, mirror, layers.random())));
+    let is_left = |mirror: &&Mirror<'_>| !total_reflection.is_some_and(|normal| mirror.has_normal(normal));
+    for mirror in shaded.mirrors.iter().filter(is_left) {
+        shaded.found.add(Term::Reflection, Radiance::opaque(mirror_image(worker, vertex, mirror, layers.random())));
     }
-    found
+    shaded.found
 }
 
 /// The light that comes through a surface, or is reflected there in full.
