@@ -15,16 +15,7 @@ def has(*patterns: str):
     return lambda text, alpha: all(re.search(p, text) for p in patterns)
 
 
-def ties(text: str, alpha: bool) -> bool:
-    """A solid made of parts whose faces coincide by construction (issue 15, item 7)."""
-    from productions_shapes import TIES
-
-    bare = lambda t: re.sub(r"pigment \{[^{}]*\}|[\s]|\{[01]\}", "", t)
-    return any(bare(tie) in bare(text) for tie in TIES)
-
-
 KNOWN = [
-    ("ties of parts", ties),
     ("fresnel when leaving a nested object", has(r"fresnel", r"interior \{")),
     ("blur of orthographic and cylinder cameras", has(r"aperture", r"orthographic|cylinder [34]")),
     ("poly, cubic, quartic: inside", has(r"\b(poly|cubic|quartic)\b", r"difference|intersection|merge")),
@@ -32,16 +23,11 @@ KNOWN = [
     ("quadric: box of a paraboloid or hyperboloid", has(r"quadric", r"clipped_by|intersection|difference")),
     ("sphere_sweep: inside", has(r"sphere_sweep", r"difference|intersection|merge|clipped_by|trace|inside")),
     ("cubic sphere_sweep: bounds", has(r"sphere_sweep", r"cubic_spline|b_spline")),
-    ("julia_fractal: normals of functions", has(r"julia_fractal", r"exp|sin|reciprocal|pwr")),
-    ("slope in a sky_sphere", has(r"sky_sphere.*slope|sky_sphere[^#]*slope")),
-    ("spotlight parallel", has(r"spotlight", r"parallel")),
     ("bicubic_patch clipped", has(r"bicubic_patch", r"clipped_by|intersection|difference|merge")),
-    ("facets no_bump_scale", has(r"facets", r"no_bump_scale")),
     ("sides of a triangle", has(r"triangle", r"interior_texture")),
     ("box of a disc in an intersection", has(r"disc", r"intersection|difference")),
     ("pattern at a border", has(r"gradient y|checker|cells|cubic\b|brick", r"plane \{\s*y, -1\s")),
     ("f_noise3d below version 3.5", has(r"f_noise3d|pattern \{", r"#version 3\.[01]")),
-    ("dispersion and alpha", lambda text, alpha: alpha and "dispersion" in text),
     ("opacity of a blob", has(r"blob", r"rgb[ft]+|transmit|filter|layer")),
     ("transmit all of a uv-mapped picture", has(r"uv_mapping", r"(transmit|filter) all")),
     ("premultiplied PPM or PGM", has(r"p[pg]m\"", r"premultiplied on")),
