@@ -37,8 +37,8 @@ pub(super) struct Boundary<'t> {
 enum Bend {
     /// The same way, at the same level.
     Straight,
-    /// One ray, by a ratio of indices.
-    Refracted(f64),
+    /// One ray along a unit direction.
+    Refracted(DVec3),
     /// White light in so many bands, each bent by itself.
     Dispersed(u32),
     /// None goes through: it is mirrored on this side.
@@ -80,8 +80,7 @@ impl Refraction {
             None if disperses => Bend::Dispersed(interior.dispersion_samples.max(2)),
             wavelength => {
                 let eta = wavelength.map_or(eta, |w| dispersion::index_ratio(eta, dispersion, w));
-                let passes = refracted(vertex.view(), boundary.normal, eta).is_some();
-                if passes { Bend::Refracted(eta) } else { Bend::TotalReflection }
+                refracted(vertex.view(), boundary.normal, eta).map_or(Bend::TotalReflection, Bend::Refracted)
             }
         };
         Self { bend, crossing, interiors, attenuation }
@@ -110,10 +109,7 @@ impl Refraction {
         };
         let path = match self.bend {
             Bend::Straight => beyond(vertex.view(), vertex.path.wavelength),
-            Bend::Refracted(eta) => match refracted(vertex.view(), boundary.normal, eta) {
-                Some(direction) => beyond(direction, vertex.path.wavelength),
-                None => mirrored(vertex, boundary.normal, weight, random),
-            },
+            Bend::Refracted(direction) => beyond(direction, vertex.path.wavelength),
             Bend::Dispersed(n) => {
                 let (wavelength, hue) = dispersion::band(i, n);
                 let eta = dispersion::index_ratio(self.crossing.eta(), self.crossing.dispersion(), wavelength);
