@@ -163,8 +163,13 @@ impl Geometry {
         }
     }
 
-    /// Takes world space to the space in which a texture of a hit was written.
-    pub fn texture_from_world(&self, hit: &Hit, seen: &TextureRef) -> Cow<'_, Transform> {
+    /// Takes world space to the space in which a texture of a hit was written; `room` holds it where it must be made.
+    pub fn texture_from_world<'s>(
+        &'s self,
+        hit: &Hit,
+        seen: &TextureRef,
+        room: &'s mut Option<Transform>,
+    ) -> &'s Transform {
         let local_from_world = || {
             let primitive = &self.primitives[hit.primitive];
             let local = primitive.group_from_local.as_deref().copied().unwrap_or_default();
@@ -175,11 +180,11 @@ impl Geometry {
             TexturePlace::Placement { id, depth } => {
                 let placement = self.placements[id].texture_from_group.as_deref().unwrap_or(&Transform::IDENTITY);
                 match self.world_from(&hit.path, depth.into()) {
-                    None => Cow::Borrowed(placement),
-                    Some(world_from_group) => Cow::Owned(world_from_group.inverse().then(placement)),
+                    None => placement,
+                    Some(world_from_group) => room.insert(world_from_group.inverse().then(placement)),
                 }
             }
-            TexturePlace::Shape => Cow::Owned(local_from_world()),
+            TexturePlace::Shape => room.insert(local_from_world()),
             TexturePlace::Component(i) => {
                 let own = match &self.primitives[hit.primitive].shape {
                     Shape::Blob(blob) => {
@@ -187,7 +192,7 @@ impl Geometry {
                     }
                     _ => None,
                 };
-                Cow::Owned(local_from_world().then(&own.unwrap_or_default()))
+                room.insert(local_from_world().then(&own.unwrap_or_default()))
             }
         }
     }

@@ -142,8 +142,9 @@ fn surface_transmittance(worker: &Worker<'_>, surface: &Surface, hit: &Hit, ray:
     let mut sum = Rgb::ZERO;
     for seen in &surface.textures {
         let texture = world.texture(seen.texture);
-        let TextureSpace { point, texture_from_world } = texture_space(world, surface, hit, seen);
-        let mut frame = Frame::new(texture_from_world.as_deref());
+        let mut room = None;
+        let TextureSpace { point, texture_from_world } = texture_space(world, surface, hit, seen, &mut room);
+        let mut frame = Frame::new(texture_from_world);
         let caustics = texture.top_layer().and_then(|top| top.finish.caustics).unwrap_or(caustics);
         let at = TexturePoint { point, plain: true, random: Random::default() };
         let mut through =

@@ -19,16 +19,16 @@ use crate::render::worker::Worker;
 use smallvec::SmallVec;
 
 /// A camera ray and what it met. It refers to the one before, so that everything stays where it was made.
-struct Encounter<'s, 'w> {
-    before: Option<&'s Encounter<'s, 'w>>,
+struct Encounter<'s> {
+    before: Option<&'s Encounter<'s>>,
     path: &'s Path,
-    met: Met<'s, 'w>,
+    met: Met<'s>,
 }
 
 /// What a camera ray met.
-enum Met<'s, 'w> {
+enum Met<'s> {
     /// A surface with a single texture.
-    Surface { hit: &'s Hit, surface: &'s Surface, texture: TextureId, space: &'s TextureSpace<'w> },
+    Surface { hit: &'s Hit, surface: &'s Surface, texture: TextureId, space: TextureSpace<'s> },
     /// The sky.
     Sky,
 }
@@ -83,10 +83,10 @@ fn at_each<G: Gather>(worker: &mut Worker<'_>, positions: &[[f64; 2]], found: &m
 }
 
 /// Follows the rays through image positions, and shades them together if all meet the same texture and that pays.
-fn at_all<'w, G: Gather>(
-    worker: &mut Worker<'w>,
+fn at_all<G: Gather>(
+    worker: &mut Worker<'_>,
     positions: &[[f64; 2]],
-    before: Option<&Encounter<'_, 'w>>,
+    before: Option<&Encounter<'_>>,
     found: &mut Vec<G>,
 ) {
     let Some((&[x, y], others)) = positions.split_first() else { return shade_four(worker, before, found) };
@@ -112,15 +112,16 @@ fn at_all<'w, G: Gather>(
         let light = sample(reflected(worker, &path, &hit, &surface, None));
         return part(worker, before, light, others, found);
     };
-    let space = texture_space(world, &surface, &hit, only);
-    let met = Met::Surface { hit: &hit, surface: &surface, texture: only.texture, space: &space };
+    let mut room = None;
+    let space = texture_space(world, &surface, &hit, only, &mut room);
+    let met = Met::Surface { hit: &hit, surface: &surface, texture: only.texture, space };
     at_all(worker, others, Some(&Encounter { before, path: &path, met }), found);
 }
 
 /// Goes on one by one from a ray that has nothing in common with those before, and brought back some light.
-fn part<'w, G: Gather>(
-    worker: &mut Worker<'w>,
-    before: Option<&Encounter<'_, 'w>>,
+fn part<G: Gather>(
+    worker: &mut Worker<'_>,
+    before: Option<&Encounter<'_>>,
     light: G,
     others: &[[f64; 2]],
     found: &mut Vec<G>,
@@ -131,7 +132,7 @@ fn part<'w, G: Gather>(
 }
 
 /// Adds the light of fewer than four encounters, or of such as have nothing in common.
-fn shade_each<'w, G: Gather>(worker: &mut Worker<'w>, last: Option<&Encounter<'_, 'w>>, found: &mut Vec<G>) {
+fn shade_each<G: Gather>(worker: &mut Worker<'_>, last: Option<&Encounter<'_>>, found: &mut Vec<G>) {
     if let Some(last) = last {
         shade_each(worker, last.before, found);
         found.push(shade(worker, last, None));
@@ -139,7 +140,7 @@ fn shade_each<'w, G: Gather>(worker: &mut Worker<'w>, last: Option<&Encounter<'_
 }
 
 /// The light of an encounter.
-fn shade<'w, G: Gather>(worker: &mut Worker<'w>, encounter: &Encounter<'_, 'w>, lane: Option<Lane<'_>>) -> G {
+fn shade<G: Gather>(worker: &mut Worker<'_>, encounter: &Encounter<'_>, lane: Option<Lane<'_>>) -> G {
     let path = encounter.path;
     sample(match encounter.met {
         Met::Surface { hit, surface, space, .. } => reflected(worker, path, hit, surface, Some(Known { space, lane })),
@@ -154,7 +155,7 @@ fn sample<G: Gather>(mut light: G) -> G {
 }
 
 /// Adds the light of four encounters with one texture or with the sky.
-fn shade_four<'w, G: Gather>(worker: &mut Worker<'w>, last: Option<&Encounter<'_, 'w>>, found: &mut Vec<G>) {
+fn shade_four<G: Gather>(worker: &mut Worker<'_>, last: Option<&Encounter<'_>>, found: &mut Vec<G>) {
     let [Some(d), Some(c), Some(b), Some(a)] = backwards(last) else { return shade_each(worker, last, found) };
     let four = [a, b, c, d];
     let Met::Surface { texture, .. } = a.met else { return shade_skies(worker, four, found) };
@@ -171,7 +172,7 @@ fn shade_four<'w, G: Gather>(worker: &mut Worker<'w>, last: Option<&Encounter<'_
 }
 
 /// Adds the light of four rays that see the sky.
-fn shade_skies<'w, G: Gather>(worker: &Worker<'w>, four: [&Encounter<'_, 'w>; LANES], found: &mut Vec<G>) {
+fn shade_skies<G: Gather>(worker: &Worker<'_>, four: [&Encounter<'_>; LANES], found: &mut Vec<G>) {
     let (world, options) = (worker.world(), worker.options());
     let Some(sky) = &world.atmosphere.sky else { return };
     let points = Points::from(each_lane(|i| sky.sky_from_world.point(four[i].path.ray.direction)));
@@ -183,7 +184,7 @@ fn shade_skies<'w, G: Gather>(worker: &Worker<'w>, four: [&Encounter<'_, 'w>; LA
     }
 }
 
-impl Encounter<'_, '_> {
+impl Encounter<'_> {
     /// Whether a texture is the only one that shows.
     fn shows(&self, texture: TextureId) -> bool {
         matches!(self.met, Met::Surface { texture: own, .. } if own == texture)
@@ -191,8 +192,8 @@ impl Encounter<'_, '_> {
 }
 
 /// Four encounters, the last one first.
-fn backwards<'s, 'w>(last: Option<&'s Encounter<'s, 'w>>) -> [Option<&'s Encounter<'s, 'w>>; LANES] {
-    let next = |encounter: Option<&'s Encounter<'s, 'w>>| encounter.and_then(|encounter| encounter.before);
+fn backwards<'s>(last: Option<&'s Encounter<'s>>) -> [Option<&'s Encounter<'s>>; LANES] {
+    let next = |encounter: Option<&'s Encounter<'s>>| encounter.and_then(|encounter| encounter.before);
     let (second, third) = (next(last), next(next(last)));
     [last, second, third, next(third)]
 }

@@ -17,7 +17,6 @@ use crate::compiled::World;
 use crate::compiled::geometry::{Hit, Surface, TextureRef};
 use crate::compiled::texture::{Context, Finish, Frame, Layer, PatternedTexture, Pick, Texture};
 use crate::math::{Color, DVec3, Rgb, Transform};
-use std::borrow::Cow;
 
 /// What lookups at one place share, and leave for later ones.
 pub(super) struct Lookup<'p> {
@@ -49,27 +48,33 @@ pub(super) struct TexturePoint {
 }
 
 /// The space of a hit's texture, and the hit there.
-pub(super) struct TextureSpace<'w> {
+#[derive(Clone, Copy)]
+pub(super) struct TextureSpace<'s> {
     pub(super) point: DVec3,
     /// The map there, unless it is looked up by surface coordinates.
-    pub(super) texture_from_world: Option<Cow<'w, Transform>>,
+    pub(super) texture_from_world: Option<&'s Transform>,
 }
 
 /// What is known already of a hit with a single texture.
 #[derive(Clone, Copy)]
 pub(super) struct Known<'p> {
-    pub(super) space: &'p TextureSpace<'p>,
+    pub(super) space: TextureSpace<'p>,
     pub(super) lane: Option<Lane<'p>>,
 }
 
-/// Where a texture of a hit is looked up.
-// Always inline: the map is too large to be handed back for nothing.
+/// Where a texture of a hit is looked up; `room` is for a map that must be made.
 #[inline(always)]
-pub(super) fn texture_space<'w>(world: &'w World, surface: &Surface, hit: &Hit, seen: &TextureRef) -> TextureSpace<'w> {
+pub(super) fn texture_space<'s>(
+    world: &'s World,
+    surface: &Surface,
+    hit: &Hit,
+    seen: &TextureRef,
+    room: &'s mut Option<Transform>,
+) -> TextureSpace<'s> {
     if surface.uv_mapping {
         return TextureSpace { point: surface.uv.lookup_point(), texture_from_world: None };
     }
-    let texture_from_world = world.geometry.texture_from_world(hit, seen);
+    let texture_from_world = world.geometry.texture_from_world(hit, seen, room);
     TextureSpace { point: texture_from_world.point(surface.point), texture_from_world: Some(texture_from_world) }
 }
 

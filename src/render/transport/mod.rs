@@ -59,16 +59,13 @@ pub(super) fn reflected<G: Gather>(
         if seen.weight < world.settings.adc_bailout {
             continue;
         }
-        let now;
+        let mut room = None;
         let TextureSpace { point, texture_from_world } = match known {
             Some(known) => known.space,
-            None => {
-                now = texture_space(world, surface, hit, seen);
-                &now
-            }
+            None => texture_space(world, surface, hit, seen, &mut room),
         };
-        let mut frame = Frame::new(texture_from_world.as_deref());
-        let at = TexturePoint { point: *point, plain: true, random: path.random.texture(i) };
+        let mut frame = Frame::new(texture_from_world);
+        let at = TexturePoint { point, plain: true, random: path.random.texture(i) };
         let mut of_layers =
             |layers: Layers<'_>, lookup: &mut Lookup<'_>| layered(worker, &vertex, &layers, lookup, &mut arriving);
         let of_texture: G = resolve(world.texture(seen.texture), at, &mut frame, &mut lookup, &mut of_layers);
