@@ -208,14 +208,21 @@ impl Object {
 
     /// What [`depth`](Self::depth) is to be, from the parts.
     pub fn depth_of_parts(&self) -> u32 {
-        let looks = match &self.shape {
-            Shape::LightSource(light) => light.looks_like.as_ref(),
-            _ => None,
-        };
-        let cuts = self.rare.clipped_by.iter().chain(&self.rare.bounded_by);
-        let objects = self.shape.children().iter().chain(looks).chain(cuts).map(|o| o.depth);
-        let textures = [&self.texture, &self.rare.interior_texture].into_iter().flatten();
-        objects.chain(textures.map(|placed| placed.texture.depth())).max().map_or(0, |deepest| deepest + 1)
+        // In plain loops, as this is asked of each object that is read, and most have few parts or none.
+        let mut depth = 0;
+        let mut around = |part: u32| depth = depth.max(part + 1);
+        for objects in [self.shape.children(), &self.rare.clipped_by, &self.rare.bounded_by] {
+            objects.iter().for_each(|object| around(object.depth));
+        }
+        if let Shape::LightSource(light) = &self.shape
+            && let Some(looks) = &light.looks_like
+        {
+            around(looks.depth);
+        }
+        for placed in [&self.texture, &self.rare.interior_texture].into_iter().flatten() {
+            around(placed.texture.depth());
+        }
+        depth
     }
 
     /// Moves the object with everything it has so far: shape, textures, clips, bounds, interior.

@@ -101,23 +101,23 @@ impl<'a> Builder<'a> {
     ) {
         let mut around = Context::bare();
         around.default_texture = Some(self.unmoved(default));
-        self.place_frame(object, around, split, items);
+        self.place_frame(object, &mut around, split, items);
     }
 
     /// An object at frame level, or a member of a light group: owns an interior.
-    fn place_frame(&mut self, object: &Object, mut around: Context, split: bool, items: &mut GroupBuilder) {
+    fn place_frame(&mut self, object: &Object, around: &mut Context, split: bool, items: &mut GroupBuilder) {
         self.labeler.begin(object);
         if object.interior.is_none() && !matches!(object.shape, Shape::LightGroup { .. }) {
             let hollow = last_hollow(object, around.hollow);
             around.interior = Some(self.interior(Arc::clone(&self.default_interior), hollow));
         }
-        self.place(object, &around, split, items, &mut 0);
+        self.place(object, around, split, items, &mut 0);
     }
 
     /// Places an object in a group. `height` grows to that of the instances inside.
     fn place(&mut self, object: &Object, around: &Context, split: bool, items: &mut GroupBuilder, height: &mut usize) {
         let outer = self.labeler.enter(object);
-        roomy(|| self.place_kind(object, around, split, items, height));
+        self.place_kind(object, around, split, items, height);
         self.labeler.leave(outer);
     }
 
@@ -134,7 +134,7 @@ impl<'a> Builder<'a> {
             Shape::LightSource(light) => {
                 if let Some(looks) = &light.looks_like {
                     let around = Context { no_shadow: true, ..around.clone() };
-                    self.place(looks, &around, split, items, height);
+                    roomy(|| self.place(looks, &around, split, items, height));
                 }
             }
             Shape::LightGroup { children, .. } => {
@@ -142,7 +142,7 @@ impl<'a> Builder<'a> {
                 inside.light_group = Some(LightGroupId::new(self.n_light_groups));
                 self.n_light_groups += 1;
                 for child in children.iter() {
-                    self.place_frame(child, inside.clone(), split, items);
+                    roomy(|| self.place_frame(child, &mut inside.clone(), split, items));
                 }
             }
             Shape::Csg { children, .. } => {
@@ -153,7 +153,7 @@ impl<'a> Builder<'a> {
                 }
                 if splits {
                     for child in children.iter() {
-                        self.place(child, &inside, split, items, height);
+                        roomy(|| self.place(child, &inside, split, items, height));
                     }
                 } else {
                     self.place_solid(object, around, items);
@@ -285,7 +285,7 @@ impl<'a> Builder<'a> {
         let mut height = 0;
         if splits {
             for child in children.iter() {
-                self.place(child, &Context::bare(), true, &mut items, &mut height);
+                roomy(|| self.place(child, &Context::bare(), true, &mut items, &mut height));
             }
         } else {
             let bare = Object { flags: Default::default(), ..Object::new(object.shape.clone(), object.span) };

@@ -31,10 +31,6 @@ pub(super) struct Census {
 impl Census {
     /// Visits an object and everything in it.
     pub(super) fn count(&mut self, object: &Object) -> Entry {
-        roomy(|| self.count_parts(object))
-    }
-
-    fn count_parts(&mut self, object: &Object) -> Entry {
         for other in object.rare.clipped_by.iter().chain(&object.rare.bounded_by) {
             self.count_once(other);
         }
@@ -56,7 +52,7 @@ impl Census {
         if let Some(known) = self.counted.get(&Arc::as_ptr(object)) {
             return *known;
         }
-        let entry = self.count(object);
+        let entry = roomy(|| self.count(object));
         self.counted.insert(Arc::as_ptr(object), entry);
         entry
     }
@@ -69,7 +65,7 @@ impl Census {
         }
         let mut sum = Entry { uses: 1, ..Entry::default() };
         for child in children.iter() {
-            let one = self.count(child);
+            let one = roomy(|| self.count(child));
             sum.weight = sum.weight.saturating_add(one.weight);
             sum.lights = sum.lights.saturating_add(one.lights);
             sum.light_groups |= one.light_groups;

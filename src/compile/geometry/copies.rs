@@ -50,13 +50,13 @@ impl<'c> Copies<'c> {
 
     /// As [`super::builder::Builder`] places it.
     fn place(&mut self, object: &Object, split: bool) -> Cost {
+        if is_single(object) {
+            return Cost { parts: 1, height: 0 };
+        }
         roomy(|| self.place_parts(object, split))
     }
 
     fn place_parts(&mut self, object: &Object, split: bool) -> Cost {
-        if is_single(object) {
-            return Cost { parts: 1, height: 0 };
-        }
         if let Some(known) = self.placed.get(&std::ptr::from_ref(object)) {
             return *known;
         }

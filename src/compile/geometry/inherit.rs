@@ -114,7 +114,9 @@ impl Builder<'_> {
             no_reflection: around.no_reflection || flags.no_reflection,
             no_shadow: around.no_shadow || flags.no_shadow,
             cutaway: around.cutaway || flags.cutaway_textures,
-            ..around.clone()
+            default_texture: around.default_texture,
+            cutaway_root: around.cutaway_root,
+            light_group: around.light_group,
         }
     }
 
