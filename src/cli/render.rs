@@ -4,11 +4,12 @@ use super::scene_arguments::SceneArguments;
 use super::{ERROR, fail, messages};
 use crate::imaging::{Encoding, FileKind};
 use crate::job::{Job, Outcome, Output, Session};
-use crate::render::{Antialias, ImageLayer, Method, Observer, Options, Region};
+use crate::render::{Antialias, End, ImageLayer, Method, Observer, Options, Progress, Region, Target};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
 
 /// The size that an installed POV-Ray's own settings give: 800 x 600.
 pub(super) const DEFAULT_SIZE: (usize, usize) = (800, 600);
@@ -34,6 +35,19 @@ pub(super) struct Arguments {
     /// Smooth edges: off, or METHOD,THRESHOLD,DEPTH[,JITTER] as POV-Ray's +AM, +A, +R, +J
     #[arg(long, short, value_parser = antialias, default_value = "off", value_name = "HOW")]
     antialias: Option<Setting>,
+    /// Take samples until the root mean square error of the picture is surely below E, in linear light
+    /// over pixels and channels
+    #[arg(long, value_parser = positive, value_name = "E", conflicts_with = "antialias")]
+    target_error: Option<f64>,
+    /// Take samples for so long, reading the scene included: 30s, 5m, 1.5h
+    #[arg(long, value_parser = duration, value_name = "TIME", conflicts_with = "antialias")]
+    time_budget: Option<Duration>,
+    /// Take the samples of a picture that was made to a target again: what its header calls whitted:rounds
+    #[arg(long, value_parser = rounds, value_name = "LIST", conflicts_with_all = ["antialias", "target_error", "time_budget"])]
+    rounds: Option<Rounds>,
+    /// Number that chooses the samples' places of a picture with a target
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    seed: u64,
     /// Worker threads, 0 for one for each core
     #[arg(long, short, default_value_t = 0)]
     threads: usize,
@@ -69,6 +83,31 @@ struct Setting(Option<Antialias>);
 /// Layers as typed.
 #[derive(Clone, Debug)]
 struct Layers(Vec<ImageLayer>);
+
+/// Limits of rounds as typed.
+#[derive(Clone, Debug)]
+struct Rounds(Vec<f64>);
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number: f64 = text.parse().map_err(|_| "expected a number")?;
+    if number.is_finite() && number > 0.0 { Ok(number) } else { Err("must be above 0".into()) }
+}
+
+fn duration(text: &str) -> Result<Duration, String> {
+    let (digits, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
+    let seconds = match unit {
+        "" | "s" => 1.0,
+        "m" | "min" => 60.0,
+        "h" => 3600.0,
+        _ => return Err(format!("'{unit}' is no unit of time: s, m or h")),
+    };
+    Duration::try_from_secs_f64(seconds * positive(digits)?).map_err(|_| "is too long".into())
+}
+
+fn rounds(text: &str) -> Result<Rounds, String> {
+    let limits = text.split(',').map(str::trim).filter(|limit| !limit.is_empty());
+    Ok(Rounds(limits.map(positive).collect::<Result<_, _>>()?))
+}
 
 fn layers(text: &str) -> Result<Layers, String> {
     if text == "all" {
@@ -139,11 +178,18 @@ impl Arguments {
             width,
             height,
             antialias,
+            target: self.target(),
             quality: self.quality,
             alpha: self.alpha,
             region: self.region,
             layers: self.layers.as_ref().map_or_else(Vec::new, |layers| layers.0.clone()),
         }
+    }
+
+    fn target(&self) -> Option<Target> {
+        let Self { target_error: error, time_budget: time, seed, .. } = *self;
+        let rounds = self.rounds.as_ref().map(|rounds| rounds.0.clone());
+        (error.is_some() || time.is_some() || rounds.is_some()).then_some(Target { error, time, seed, rounds })
     }
 
     /// The picture's file, and that of its preview.
@@ -184,7 +230,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let job = Job {
         scene: arguments.scene.scene.clone(),
         reading: arguments.scene.reading(options.width, options.height),
-        rendering: options,
+        rendering: options.clone(),
         outputs: std::iter::once(output).chain(preview).map(|file| Output { file, encoding }).collect(),
     };
     let session = Session::new(arguments.threads);
@@ -206,10 +252,28 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         let named = job.outputs.iter().filter(|output| output.file != Path::new("-"));
         named.for_each(|output| messages::line(format_args!("wrote {}", output.file.display())));
     }
+    if let Some(progress) = &outcome.progress {
+        messages::line(format_args!("{}", summary(progress, &options)));
+    }
     if arguments.timings {
         show_timings(&outcome);
     }
     ExitCode::SUCCESS
+}
+
+/// What was reached, and what it cost.
+fn summary(progress: &Progress, options: &Options) -> String {
+    let Progress { accuracy, samples, end, .. } = progress;
+    let window = options.window();
+    let mean = *samples as f64 / (window.width() * window.height()) as f64;
+    let why = match end {
+        End::Reached => "as asked for",
+        End::Exhausted => "no pixel is worth more samples",
+        End::Time => "the time is over",
+        End::Rounds => "all rounds are done",
+        End::Cancelled => "stopped",
+    };
+    format!("error {:.3e} ± {:.0e} ({mean:.1} samples a pixel; {why})", accuracy.rmse(), accuracy.uncertainty())
 }
 
 fn show_timings(outcome: &Outcome) {

@@ -109,6 +109,12 @@ fn attributes(picture: &Picture, metadata: &Metadata) -> LayerAttributes {
     if metadata.rays > 0 {
         attributes.other.insert(Text::from("rays"), AttributeValue::F64(metadata.rays as f64));
     }
+    for (name, value) in &metadata.figures {
+        attributes.other.insert(Text::from(*name), AttributeValue::F64(*value));
+    }
+    for (name, value) in &metadata.notes {
+        attributes.other.insert(Text::from(*name), AttributeValue::Text(Text::from(value.as_str())));
+    }
     attributes
 }
 

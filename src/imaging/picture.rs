@@ -41,6 +41,10 @@ pub struct Metadata {
     pub camera: String,
     /// Rays shot, shadow rays included.
     pub rays: u64,
+    /// Further figures, by name.
+    pub figures: Vec<(&'static str, f64)>,
+    /// Further words, by name.
+    pub notes: Vec<(&'static str, String)>,
 }
 
 impl Picture {

@@ -4,6 +4,7 @@ use crate::compile::geometry::Watched;
 use crate::compiled::World;
 use crate::diag::{Diagnostic, SourceMap};
 use crate::imaging::{Metadata, Picture};
+use crate::render::Progress;
 use std::time::{Duration, Instant};
 
 /// How long each stage took, in order.
@@ -19,6 +20,11 @@ impl Timings {
         result
     }
 
+    /// The time of all stages so far.
+    pub fn total(&self) -> Duration {
+        self.0.iter().map(|(_, time)| *time).sum()
+    }
+
     /// The time of a stage.
     pub fn of(&self, stage: &str) -> Duration {
         self.0.iter().filter(|(name, _)| *name == stage).map(|(_, time)| *time).sum()
@@ -32,8 +38,10 @@ pub struct Outcome {
     pub picture: Picture,
     /// What its file should say.
     pub metadata: Metadata,
-    /// False if the observer stopped it: then pixels are missing.
+    /// False if the observer stopped it before every pixel was there.
     pub complete: bool,
+    /// How a picture with a target came about.
+    pub progress: Option<Progress>,
     /// Everything worth mentioning.
     pub warnings: Vec<Diagnostic>,
     /// The files that were read, to show the warnings; large ones must be [restored](SourceMap::restored).

@@ -9,7 +9,7 @@ use crate::compiled::camera::Camera;
 use crate::eval::{self, Evaluated, Failed, Host};
 use crate::imaging::{self, ImageError, Metadata};
 use crate::math::DVec3;
-use crate::render::{self, Observer, Options, Rendered};
+use crate::render::{self, Observer, Options, Progress, Rendered, Target};
 use rayon::ThreadPool;
 use std::path::Path;
 
@@ -77,16 +77,22 @@ impl Session {
     pub fn render(&self, job: &Job, host: &dyn Host, observer: &dyn Observer) -> Result<Outcome, Box<Failed>> {
         let ready = self.compile(&job.scene, &job.reading, host)?;
         let Ready { world, watched, mut warnings, sources, mut timings } = ready;
-        let rendered = timings.time("render", || self.picture(&world, &job.rendering, observer));
+        let mut options = job.rendering.clone();
+        if let Some(time) = options.target.as_mut().and_then(|target| target.time.as_mut()) {
+            *time = time.saturating_sub(timings.total());
+        }
+        let rendered = timings.time("render", || self.picture(&world, &options, observer));
         warnings.extend(watched.iter().filter_map(Watched::warning));
         let metadata = Metadata {
             software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
             scene: job.scene.display().to_string(),
             camera: describe(&world.camera),
             rays: rendered.statistics.rays(),
+            figures: figures(&rendered, job.rendering.target.as_ref()),
+            notes: rendered.progress.iter().map(|progress| ("whitted:rounds", progress.recipe())).collect(),
         };
-        let Rendered { picture, complete, .. } = rendered;
-        Ok(Outcome { picture, metadata, complete, warnings, sources, timings })
+        let Rendered { picture, complete, progress, .. } = rendered;
+        Ok(Outcome { picture, metadata, complete, progress, warnings, sources, timings })
     }
 
     /// Writes a picture's files, each whole or not at all.
@@ -99,6 +105,28 @@ impl Session {
             outputs.iter().try_for_each(|output| imaging::save(&output.file, picture, metadata, output.encoding))
         })
     }
+}
+
+/// What the file says in numbers: rays by kind and, of a picture with a target, how far it came.
+fn figures(rendered: &Rendered, target: Option<&Target>) -> Vec<(&'static str, f64)> {
+    let rays = &rendered.statistics;
+    let mut figures = vec![
+        ("whitted:cameraRays", rays.camera_rays as f64),
+        ("whitted:reflectedRays", rays.reflected_rays as f64),
+        ("whitted:transmittedRays", rays.transmitted_rays as f64),
+        ("whitted:shadowRays", rays.shadow_rays as f64),
+    ];
+    if let Some(Progress { accuracy, samples, .. }) = &rendered.progress {
+        figures.extend([
+            ("whitted:errorEstimate", accuracy.rmse()),
+            ("whitted:errorUncertainty", accuracy.uncertainty()),
+            ("whitted:samples", *samples as f64),
+        ]);
+    }
+    figures.extend(target.map(|target| ("whitted:seed", target.seed as f64)));
+    figures.extend(target.and_then(|target| target.error).map(|error| ("whitted:errorTarget", error)));
+    figures.extend(target.and_then(|target| target.time).map(|time| ("whitted:timeBudget", time.as_secs_f64())));
+    figures
 }
 
 fn describe(camera: &Camera) -> String {

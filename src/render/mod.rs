@@ -6,7 +6,8 @@
 //!
 //! Read from the bottom of this list upwards, each module knows those below it:
 //!
-//! - `picture`: blocks on all cores; `antialias`: which positions are looked at; `sensor`: the rays through one;
+//! - `picture`: the whole; `progressive`: rounds of samples until the error is small; `antialias`: POV-Ray's positions;
+//! - `work`: blocks on all cores; `sensor`: the rays through an image position;
 //! - `transport`: the recursion; `light`: what arrives at a vertex from light sources; `shade`: layers as values;
 //! - `film`: what is kept of light; `worker`, `prepare`: what a thread owns, what all share;
 //! - `medium`, `environment`: what a ray passes, what it sees at the end; `camera`; `vertex`, `path`;
@@ -26,6 +27,7 @@ mod options;
 mod path;
 mod picture;
 mod prepare;
+mod progressive;
 mod radiance;
 mod random;
 mod sensor;
@@ -33,11 +35,13 @@ mod shade;
 mod statistics;
 mod transport;
 mod vertex;
+mod work;
 mod worker;
 
 pub use image_layer::ImageLayer;
 pub use observer::{FinishedBlock, Observer, Unobserved};
-pub use options::{Antialias, Method, Options, Region};
+pub use options::{Antialias, Method, Options, Region, Target};
 pub use picture::{Rendered, render};
+pub use progressive::{Accuracy, End, Progress};
 pub use radiance::Radiance;
 pub use statistics::Statistics;

@@ -1,6 +1,7 @@
 //! What the user may choose about a picture of a world.
 
 use super::image_layer::ImageLayer;
+use std::time::Duration;
 
 /// Choices that are not part of the scene.
 #[derive(Clone, Debug)]
@@ -9,8 +10,10 @@ pub struct Options {
     pub width: usize,
     /// Pixels down.
     pub height: usize,
-    /// How edges are smoothed, if at all.
+    /// How edges are smoothed in POV-Ray's ways, if at all.
     pub antialias: Option<Antialias>,
+    /// Samples are taken until this is reached; then `antialias` does not count.
+    pub target: Option<Target>,
     /// 0 to 9, as POV-Ray's `+Q`.
     pub quality: u8,
     /// The picture gets an alpha channel and the background lets it show.
@@ -19,6 +22,19 @@ pub struct Options {
     pub region: Option<Region>,
     /// What is written beside the picture.
     pub layers: Vec<ImageLayer>,
+}
+
+/// When a picture is good enough. Whatever comes first ends it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Target {
+    /// Root mean square error over pixels and colour channels, linear light, that it is surely below.
+    pub error: Option<f64>,
+    /// How long it may take.
+    pub time: Option<Duration>,
+    /// Chooses the samples' places: pictures of different seeds have nothing in common but the scene.
+    pub seed: u64,
+    /// Rounds that were taken before, by their limits, to get the same picture again.
+    pub rounds: Option<Vec<f64>>,
 }
 
 /// How edges are smoothed.
@@ -113,6 +129,15 @@ impl Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { width: 320, height: 240, antialias: None, quality: 9, alpha: false, region: None, layers: Vec::new() }
+        Self {
+            width: 320,
+            height: 240,
+            antialias: None,
+            target: None,
+            quality: 9,
+            alpha: false,
+            region: None,
+            layers: Vec::new(),
+        }
     }
 }

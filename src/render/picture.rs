@@ -4,17 +4,17 @@
 //! edges wants them. Then, if edges are smoothed, each block is refined by itself; what blocks share was traced once.
 
 use super::antialias::Base;
-use super::film::{Block, Detail, Film, Gather, blocks, encoded, rows_of};
+use super::film::{Block, Detail, Film, Gather, encoded};
 use super::observer::{FinishedBlock, Observer};
-use super::options::{Options, Region};
+use super::options::Options;
 use super::prepare::Prepared;
+use super::progressive::{self, Found, Progress};
 use super::radiance::Radiance;
 use super::sensor::at_grid;
 use super::statistics::Statistics;
-use super::worker::Worker;
+use super::work::Work;
 use crate::compiled::World;
 use crate::imaging::Picture;
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A picture and what it cost.
@@ -24,8 +24,10 @@ pub struct Rendered {
     pub picture: Picture,
     /// Rays of all kinds.
     pub statistics: Statistics,
-    /// False if the observer stopped it: then pixels are missing.
+    /// False if the observer stopped it before every pixel was there.
     pub complete: bool,
+    /// How a picture with a target came about.
+    pub progress: Option<Progress>,
 }
 
 /// Renders the picture, or the part of it that is asked for, on the threads of the caller's pool.
@@ -33,76 +35,69 @@ pub struct Rendered {
 /// The result is the same bits for any number of them, and a part's pixels are those of the whole picture.
 pub fn render(world: &World, options: &Options, observer: &dyn Observer) -> Rendered {
     let prepared = Prepared::new(world, options);
+    let work = Work { prepared: &prepared, observer };
     if options.layers.is_empty() {
-        return render_film::<Radiance>(&prepared, observer).0;
+        return render_film::<Radiance>(&work).0;
     }
-    let (mut rendered, film) = render_film::<Detail>(&prepared, observer);
-    rendered.picture.layers = options.layers.iter().flat_map(|layer| layer.build(world, film.pixels())).collect();
+    let (mut rendered, film) = render_film::<Detail>(&work);
+    let layers = options.layers.iter().flat_map(|layer| layer.build(world, film.pixels()));
+    rendered.picture.layers.extend(layers);
     rendered
 }
 
-fn render_film<G: Gather>(prepared: &Prepared<'_>, observer: &dyn Observer) -> (Rendered, Film<G>) {
-    let (world, options) = (prepared.world, prepared.options);
+fn render_film<G: Gather>(work: &Work<'_>) -> (Rendered, Film<G>) {
+    let options = work.prepared.options;
+    match &options.target {
+        Some(target) => {
+            let Found { film, statistics, complete, progress, layers } = progressive::render(work, target);
+            let mut picture = film.picture(work.prepared.world, options);
+            picture.layers = layers;
+            (Rendered { picture, statistics, complete, progress: Some(progress) }, film)
+        }
+        None => render_once(work),
+    }
+}
+
+/// Takes POV-Ray's samples.
+fn render_once<G: Gather>(work: &Work<'_>) -> (Rendered, Film<G>) {
+    let (world, options) = (work.prepared.world, work.prepared.options);
     let window = options.window();
     let base = Base::of(options);
     let grid = base.window();
-    let work = Work { prepared, observer, done: AtomicUsize::new(0), all: base.n_steps(&window) };
+    let (done, all) = (AtomicUsize::new(0), base.n_steps(&window));
+    let advance = |n: usize| work.observer.advanced(done.fetch_add(n, Ordering::Relaxed) + n, all);
     let finish = |block: &Block, pixels: &[G]| {
-        if observer.wants_blocks() {
+        if work.observer.wants_blocks() {
             let pixels = pixels.iter().map(|pixel| encoded(world, options, pixel)).collect();
-            observer.finished(&FinishedBlock { x: block.x, y: block.y, width: block.width, pixels });
+            work.observer.finished(&FinishedBlock { x: block.x, y: block.y, width: block.width, pixels });
         }
     };
-    let (samples, first) = work.each_block(&grid, |worker, block| {
+    let keep = |rows: &mut [&mut [G]], pixels: Vec<G>| {
+        advance(pixels.len());
+        rows.iter_mut().flat_map(|row| row.iter_mut()).zip(pixels).for_each(|(out, pixel)| *out = pixel);
+    };
+    let mut samples = vec![G::default(); grid.width() * grid.height()];
+    let first = work.each_block(&grid, &mut samples, |worker, block, rows| {
         let samples = at_grid(worker, block.width, block.height, base.position(block.x, block.y));
         if base.antialias().is_none() {
             finish(&Block { x: block.x + window.left, y: block.y + window.top, ..*block }, &samples);
         }
-        samples
+        keep(rows, samples);
     });
     let (pixels, second) = match base.antialias() {
         None => (samples, Statistics::default()),
-        Some(antialias) => work.each_block(&window, |worker, block| {
-            let pixels = antialias.block(worker, &base, &samples, block);
-            finish(block, &pixels);
-            pixels
-        }),
+        Some(antialias) => {
+            let mut pixels = vec![G::default(); window.width() * window.height()];
+            let second = work.each_block(&window, &mut pixels, |worker, block, rows| {
+                let pixels = antialias.block(worker, &base, &samples, block);
+                finish(block, &pixels);
+                keep(rows, pixels);
+            });
+            (pixels, second)
+        }
     };
     let film = Film::new(window, pixels);
     let picture = film.picture(world, options);
-    (Rendered { picture, statistics: first.plus(second), complete: !observer.cancels() }, film)
-}
-
-/// What all blocks have in common.
-struct Work<'a> {
-    prepared: &'a Prepared<'a>,
-    observer: &'a dyn Observer,
-    /// Samples and pixels.
-    done: AtomicUsize,
-    all: usize,
-}
-
-impl Work<'_> {
-    /// Fills a window block by block.
-    fn each_block<G: Gather>(
-        &self,
-        window: &Region,
-        fill: impl Fn(&mut Worker<'_>, &Block) -> Vec<G> + Sync,
-    ) -> (Vec<G>, Statistics) {
-        let blocks = blocks(window);
-        let mut all = vec![G::default(); window.width() * window.height()];
-        let parts = rows_of(&blocks, window, &mut all);
-        let one = |worker: &mut Worker<'_>, (block, rows): (&Block, Vec<&mut [G]>)| {
-            if !self.observer.cancels() {
-                let pixels = fill(worker, block);
-                let done = self.done.fetch_add(pixels.len(), Ordering::Relaxed) + pixels.len();
-                self.observer.advanced(done, self.all);
-                rows.into_iter().flatten().zip(pixels).for_each(|(out, pixel)| *out = pixel);
-            }
-            worker.take_statistics()
-        };
-        let counts: Vec<Statistics> =
-            blocks.par_iter().zip(parts).map_init(|| Worker::new(self.prepared), one).collect();
-        (all, counts.into_iter().fold(Statistics::default(), Statistics::plus))
-    }
+    let complete = !work.observer.cancels();
+    (Rendered { picture, statistics: first.plus(second), complete, progress: None }, film)
 }

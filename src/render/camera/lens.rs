@@ -44,9 +44,29 @@ impl Lens {
         let (x, y) = (x + dx + (jx - 0.5) / 16.0, y + dy + (jy - 0.5) / 16.0);
         let raw = RawRay::through(camera, x, y, width, height)?;
         let [jx, jy] = jitter(x + 0.5, y - 0.5);
-        let point = self.points[k] + 2.0 * self.jitter * DVec2::new(jx, jy);
+        Some(self.bent(camera, raw, k, DVec2::new(jx, jy)))
+    }
+
+    /// The ray through a continuous image position and the place of the lens that a point of the unit square stands for:
+    /// its first coordinate chooses one of the lens's points, all alike, and what is left moves within the jitter.
+    pub(in crate::render) fn ray_at(
+        &self,
+        camera: &Camera,
+        [x, y]: [f64; 2],
+        [width, height]: [usize; 2],
+        [u, v]: [f64; 2],
+    ) -> Option<Ray> {
+        let scaled = u * self.n_rays() as f64;
+        let k = (scaled as usize).min(self.n_rays() - 1);
+        let raw = RawRay::through(camera, x, y, width, height)?;
+        Some(self.bent(camera, raw, k, DVec2::new(scaled - k as f64 - 0.5, v - 0.5)))
+    }
+
+    /// A ray bent to one of the lens's points, moved by a share of the jitter.
+    fn bent(&self, camera: &Camera, raw: RawRay, k: usize, share: DVec2) -> Ray {
+        let point = self.points[k] + 2.0 * self.jitter * share;
         let shift = self.half_aperture * (point.x * self.across - point.y * self.along);
-        Some(raw.focused(camera, shift, self.scale))
+        raw.focused(camera, shift, self.scale)
     }
 
     /// The most rays that one image position has.

@@ -45,6 +45,20 @@ pub(super) fn nothing<G: Gather>() -> G {
     nothing
 }
 
+/// The light through an image position and one place of the lens, given by a point of the unit square.
+pub(in crate::render) fn at_lens_point<G: Gather>(
+    worker: &mut Worker<'_>,
+    lens: &Lens,
+    [x, y]: [f64; 2],
+    place: [f64; 2],
+) -> G {
+    let options = worker.options();
+    match lens.ray_at(&worker.world().camera, [x, y], [options.width, options.height], place) {
+        Some(ray) => along(worker, ray, f64::INFINITY, Random::at(x, y)),
+        None => nothing(),
+    }
+}
+
 /// Mean over the lens.
 fn through_lens<G: Gather>(worker: &mut Worker<'_>, lens: &Lens, [x, y]: [f64; 2]) -> G {
     let (camera, options) = (&worker.world().camera, worker.options());
