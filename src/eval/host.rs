@@ -5,6 +5,7 @@ use crate::function::Callable;
 use crate::imaging::Encoded;
 use crate::math::{Bounds, DVec3, Ray};
 use crate::scene::{GeometryQueries, Object, Pattern, Pigment, Settings};
+use crate::syntax::Text;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -30,6 +31,15 @@ pub trait Host {
     /// # Errors
     /// When it cannot be written.
     fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<Kept>;
+    /// A scene or include file that was [read](Self::read) there, or the same one as it was read before: then its tokens
+    /// may be known already.
+    fn text(&self, _path: &Path, text: Text) -> Arc<Text> {
+        Arc::new(text)
+    }
+    /// A font file that was [read](Self::read) there, or the same one as it was read before.
+    fn font(&self, _path: &Path, bytes: Vec<u8>) -> Arc<Vec<u8>> {
+        Arc::new(bytes)
+    }
     /// A picture that was [read](Self::read), or the same one as it was read before: then it is decoded already.
     fn picture(&self, file: Encoded) -> Arc<Encoded> {
         Arc::new(file)

@@ -21,7 +21,7 @@ const STACK: usize = 64 << 20;
 pub struct Session {
     /// None where the system gives no threads: then the common ones must do.
     pool: Option<ThreadPool>,
-    /// Pictures that the last scene showed.
+    /// Files that the last scene read.
     library: Library,
 }
 

@@ -305,7 +305,7 @@ pub struct Prism {
 #[derive(Clone, Debug)]
 pub struct Text {
     /// The font file's bytes.
-    pub font: Arc<[u8]>,
+    pub font: Arc<Vec<u8>>,
     /// Character codes.
     pub characters: Vec<u16>,
     /// Whether `charset` asks for Unicode lookup.
