@@ -95,9 +95,8 @@ impl Session {
     /// When one cannot be written; those before it are there.
     pub fn write(&self, outcome: &mut Outcome, outputs: &[Output]) -> Result<(), ImageError> {
         let Outcome { picture, metadata, timings, .. } = outcome;
-        timings.time("write", || {
-            outputs.iter().try_for_each(|output| imaging::save(&output.file, picture, metadata, output.encoding))
-        })
+        let save = || outputs.iter().try_for_each(|o| imaging::save(&o.file, picture, metadata, o.encoding));
+        timings.time("write", || self.on_all_threads(save))
     }
 }
 
