@@ -3,7 +3,7 @@
 use super::library::{Library, Remembering};
 use super::{Job, Outcome, Output, Ready, Timings};
 use crate::compile::geometry::Watched;
-use crate::compile::{self, Compiled, Queries};
+use crate::compile::{self, Compiled, Functions, Queries};
 use crate::compiled::World;
 use crate::compiled::camera::Camera;
 use crate::eval::{self, Evaluated, Failed, Host};
@@ -40,13 +40,13 @@ impl Session {
     pub fn compile(&self, scene: &Path, reading: &eval::Options, host: &dyn Host) -> Result<Ready, Box<Failed>> {
         let mut timings = Timings::default();
         self.library.begin_scene();
-        let pictures = &self.library.pictures;
+        let functions = Functions::sharing(&self.library.pictures);
         let host = Remembering { host, library: &self.library };
         // On this thread, whose heap grows in large pages.
-        let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(pictures)));
+        let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(&functions)));
         let Evaluated { scene: description, mut warnings, mut sources } = read?;
         sources.release_large();
-        match timings.time("compile", || self.on_all_threads(|| compile::compile_sharing(&description, pictures))) {
+        match timings.time("compile", || self.on_all_threads(|| compile::compile_sharing(&description, &functions))) {
             Ok(Compiled { world, warnings: more, watched }) => {
                 warnings.extend(more);
                 Ok(Ready { world, watched, warnings, sources, timings })

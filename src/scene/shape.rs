@@ -1,7 +1,6 @@
 //! Shapes as a scene file gives them, each in its own space.
 
-use super::{Image, LightSource, Object, PlacedTexture, Texture};
-use crate::function::Function;
+use super::{Function, Image, LightSource, Object, PlacedTexture, Texture};
 use crate::math::{DVec2, DVec3, DVec4, Transform};
 use std::sync::Arc;
 

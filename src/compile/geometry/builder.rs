@@ -10,6 +10,7 @@ use super::labels::Labeler;
 use super::primitive::fold;
 use super::quadric_reach::within;
 use super::room::{extent, gap};
+use crate::compile::function::Functions;
 use crate::compiled::Table;
 use crate::compiled::geometry::{
     Cuboid, Geometry, Group, GroupBuilder, GroupId, Instance, InteriorId, Item, ItemKind, LightGroupId,
@@ -43,6 +44,7 @@ struct Shared {
 /// Everything under construction.
 pub(super) struct Builder<'a> {
     pub(super) census: &'a Census,
+    pub(super) functions: &'a Functions,
     pub(super) geometry: Geometry,
     pub(super) textures: Table<TextureId, Arc<Texture>>,
     pub(super) texture_ids: FxHashMap<*const Texture, TextureId>,
@@ -64,7 +66,7 @@ pub(super) struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     /// With room for so many simple objects: most scenes of many objects have little else.
-    pub(super) fn new(census: &'a Census, n_objects: usize) -> Self {
+    pub(super) fn new(census: &'a Census, n_objects: usize, functions: &'a Functions) -> Self {
         let geometry = Geometry {
             primitives: Table::with_capacity(n_objects),
             appearances: Table::with_capacity(n_objects),
@@ -73,6 +75,7 @@ impl<'a> Builder<'a> {
         };
         Self {
             census,
+            functions,
             geometry,
             textures: Table::default(),
             texture_ids: FxHashMap::default(),
