@@ -55,8 +55,10 @@ pub(super) struct Builder<'a> {
     pub(super) interiors: Table<InteriorId, Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
     pub(super) height_grids: FxHashMap<GridKey, Arc<crate::compiled::geometry::HeightGrid>>,
-    /// By the object as it was first declared.
-    pub(super) watched: FxHashMap<*const crate::scene::Isosurface, super::watch::Watched>,
+    /// In the order in which they are met.
+    pub(super) watched: Vec<super::watch::Watched>,
+    /// By the object as it was first declared, which of them it is.
+    pub(super) watched_ids: FxHashMap<*const crate::scene::Isosurface, usize>,
     pub(super) errors: Vec<Diagnostic>,
     pub(super) labeler: Labeler,
     default_interior: Arc<Interior>,
@@ -85,7 +87,8 @@ impl<'a> Builder<'a> {
             interiors: Table::with_capacity(n_objects),
             meshes: FxHashMap::default(),
             height_grids: FxHashMap::default(),
-            watched: FxHashMap::default(),
+            watched: Vec::new(),
+            watched_ids: FxHashMap::default(),
             errors: Vec::new(),
             labeler: Labeler::default(),
             default_interior: Arc::default(),

@@ -36,7 +36,10 @@ pub(super) fn isosurface(
         believes: !guaranteed,
         adapts: surface.evaluate.is_some(),
     };
-    let watched = builder.watched.entry(Arc::as_ptr(surface)).or_insert_with(watch);
+    let id = *builder.watched_ids.entry(Arc::as_ptr(surface)).or_insert_with(|| {
+        builder.watched.push(watch());
+        builder.watched.len() - 1
+    });
     Ok(Compiled::Isosurface(Box::new(Isosurface {
         function,
         container: container(surface.container),
@@ -47,7 +50,7 @@ pub(super) fn isosurface(
         max_trace: surface.max_trace,
         open: surface.open,
         guaranteed,
-        notes: Arc::clone(&watched.notes),
+        notes: Arc::clone(&builder.watched[id].notes),
     })))
 }
 

@@ -138,8 +138,7 @@ fn build(
     if !builder.errors.is_empty() {
         return Err(builder.errors);
     }
-    let Builder { mut geometry, textures, interiors, labeler, watched, .. } = builder;
-    let mut watched: Vec<_> = watched.into_values().collect();
+    let Builder { mut geometry, textures, interiors, labeler, mut watched, .. } = builder;
     watched.sort_by_key(|w| w.span);
     geometry.root = Group::new(items);
     Ok(CompiledGeometry { geometry, textures, interiors, labels: labeler.finish(), watched, ..out })
