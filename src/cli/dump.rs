@@ -54,9 +54,9 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
 fn file(arguments: &Arguments, dump: fn(&syntax::Source, &SourceMap) -> String) -> Result<String, ExitCode> {
     let path = &arguments.scene.scene;
     let text = arguments.scene.host().read(path).map_err(|error| fail(format_args!("{}: {error}", path.display())))?;
-    let text = Arc::new(text);
+    let text = Arc::new(syntax::Text::new(text));
     let mut sources = SourceMap::default();
-    let file = sources.add(path.display().to_string(), Arc::clone(&text));
+    let file = sources.add(path.display().to_string(), Arc::clone(text.bytes()));
     Ok(dump(&syntax::Source::new(file, text), &sources))
 }
 

@@ -1,6 +1,7 @@
 //! From the evaluated scene to the compiled one, as named passes.
 
 mod camera;
+mod function;
 pub mod geometry;
 mod light;
 mod picture;
@@ -8,6 +9,7 @@ mod queries;
 pub mod texture;
 mod world;
 
+pub use function::Functions;
 pub use picture::Pictures;
 pub use queries::Queries;
 pub use world::{Compiled, compile, compile_sharing};

@@ -1,9 +1,8 @@
 //! What height fields and textures share about pictures.
 
 use crate::compiled::texture::Raster;
-use crate::function::Function;
 use crate::imaging::Encoded;
-use crate::scene::Working;
+use crate::scene::{Function, Working};
 use rustc_hash::FxHashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 

@@ -1,14 +1,13 @@
 //! Answers to what a scene asks about its own objects while it is being read.
 
-use super::geometry::{compile_object, extent};
-use super::picture::Pictures;
-use super::texture::{Refusal, TextureCompiler};
+use super::function::Functions;
+use super::geometry::{compile_object_sharing, extent};
+use super::texture::Refusal;
 use crate::compiled::geometry::{Geometry, RayKind, Scratch};
-use crate::compiled::texture::{Context, Pattern, Pigment};
 use crate::diag::Diagnostic;
-use crate::function::Callable;
+use crate::function::{Callable as _, Caller, Translate as _};
 use crate::math::{Bounds, DVec3, Range, Ray};
-use crate::scene::{self, Flags, GeometryQueries, Object, Settings};
+use crate::scene::{Flags, GeometryQueries, Object, PointFunction};
 use rustc_hash::FxHashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -21,8 +20,7 @@ const POV_NEAREST: f64 = 1e-4;
 pub struct Queries {
     /// By address.
     known: Mutex<FxHashMap<usize, Known>>,
-    /// Of functions made of pigments.
-    pictures: Pictures,
+    functions: Functions,
 }
 
 /// The object is kept so that its address stays its own.
@@ -33,9 +31,9 @@ struct Known {
 }
 
 impl Queries {
-    /// With the pictures of other scenes.
-    pub fn sharing(pictures: &Pictures) -> Self {
-        Self { pictures: pictures.clone(), ..Self::default() }
+    /// Keeping what it makes of functions for others.
+    pub fn sharing(functions: &Functions) -> Self {
+        Self { functions: functions.clone(), ..Self::default() }
     }
 
     /// Objects that cannot be compiled count as empty here; the scene's own compilation says why.
@@ -46,7 +44,7 @@ impl Queries {
             // What no ray sees would be left out, but the scene may ask about it.
             let mut seen = Object::clone(object);
             seen.flags = Flags { no_image: false, no_reflection: false, no_shadow: false, ..seen.flags };
-            let geometry = Arc::new(compile_object(&seen).unwrap_or_default());
+            let geometry = Arc::new(compile_object_sharing(&seen, &self.functions).unwrap_or_default());
             Known { _object: Arc::clone(object), geometry }
         };
         Arc::clone(&known.entry(address).or_insert_with(compile).geometry)
@@ -74,60 +72,15 @@ impl GeometryQueries for Queries {
         extent(object)
     }
 
-    fn pigment_function(
-        &self,
-        pigment: &Arc<scene::Pigment>,
-        settings: &Settings,
-    ) -> Result<Arc<dyn Callable>, Diagnostic> {
-        let compiled = TextureCompiler::sharing(&for_functions(settings), &self.pictures).pigment(pigment);
-        Ok(Arc::new(PigmentFunction(compiled.map_err(Refusal::diagnostic)?)))
-    }
-
-    fn pattern_function(
-        &self,
-        pattern: &Arc<scene::Pattern>,
-        settings: &Settings,
-    ) -> Result<Arc<dyn Callable>, Diagnostic> {
-        let compiled = TextureCompiler::sharing(&for_functions(settings), &self.pictures).pattern(pattern);
-        Ok(Arc::new(PatternFunction(compiled.map_err(Refusal::diagnostic)?)))
+    fn check(&self, function: &Arc<PointFunction>) -> Result<(), Diagnostic> {
+        self.functions.external(function).map(drop).map_err(Refusal::diagnostic)
     }
 }
 
-/// The settings that functions see: the scene's own, but as in POV-Ray 3.7 always the default number of waves.
-fn for_functions(settings: &Settings) -> Settings {
-    Settings { number_of_waves: Settings::default().number_of_waves, ..settings.clone() }
-}
-
-fn point(args: &[f64]) -> DVec3 {
-    let at = |i: usize| args.get(i).copied().unwrap_or(0.0);
-    DVec3::new(at(0), at(1), at(2))
-}
-
-/// Red, green, blue, filter and transmit at a point.
-#[derive(Debug)]
-struct PigmentFunction(Pigment);
-
-impl Callable for PigmentFunction {
-    fn width(&self) -> usize {
-        5
-    }
-
-    fn call(&self, args: &[f64]) -> [f64; 5] {
-        self.0.color_or_clear(point(args), &Context::default()).to_array()
-    }
-}
-
-/// One value at a point.
-#[derive(Debug)]
-struct PatternFunction(Pattern);
-
-impl Callable for PatternFunction {
-    fn width(&self) -> usize {
-        1
-    }
-
-    fn call(&self, args: &[f64]) -> [f64; 5] {
-        [self.0.value(point(args), &Context::default()), 0.0, 0.0, 0.0, 0.0]
+impl Caller<PointFunction> for Queries {
+    /// What cannot be called has been refused before.
+    fn call(&self, function: &Arc<PointFunction>, args: &[f64]) -> [f64; 5] {
+        self.functions.external(function).map_or([0.0; 5], |function| function.call(args))
     }
 }
 

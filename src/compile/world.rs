@@ -1,7 +1,7 @@
 //! The whole scene: geometry first, then everything that its handles refer to.
 
+use super::function::Functions;
 use super::geometry::{CompiledGeometry, PlacedLight, Watched};
-use super::picture::Pictures;
 use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
@@ -37,18 +37,18 @@ pub struct Compiled {
 /// # Errors
 /// Everything that is unsupported or wrong, each with its place where one is known.
 pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
-    compile_sharing(scene, &Pictures::default())
+    compile_sharing(scene, &Functions::default())
 }
 
-/// The same, with the pictures of other scenes.
+/// The same, with what was made of functions while the scene was read.
 ///
 /// # Errors
 /// Those of [`compile`].
-pub fn compile_sharing(scene: &Scene, pictures: &Pictures) -> SourceResult<Compiled> {
+pub fn compile_sharing(scene: &Scene, functions: &Functions) -> SourceResult<Compiled> {
     let CompiledGeometry { mut geometry, textures, interiors, lights, light_groups, labels, mut warnings, watched } =
-        super::geometry::compile(scene)?;
+        super::geometry::compile(scene, functions)?;
     let mut errors = Vec::new();
-    let mut compiler = TextureCompiler::sharing(&scene.settings, pictures);
+    let mut compiler = TextureCompiler::sharing(&scene.settings, functions);
     let textures: Table<_, _> = textures.iter().filter_map(|t| note(compiler.texture(t), &mut errors)).collect();
     let camera = camera::camera(&scene.camera, &mut compiler).map_err(|r| r.at(scene.camera.span));
     let camera = note(camera, &mut errors);

@@ -16,6 +16,9 @@ pub mod mesh_camera;
 pub mod texture;
 mod world;
 
+/// A function whose pigments and patterns are compiled.
+pub type Function = crate::function::Function<texture::PointFunction>;
+
 pub use features::Features;
 pub use handle::{Handle, Table};
 pub use labels::Labels;

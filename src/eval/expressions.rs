@@ -448,7 +448,7 @@ impl Evaluator<'_> {
                         .error(span, format!("this function takes {}, not {given}", arguments_in_words(wanted)));
                 }
                 let n = function.width().clamp(1, 5) as u8;
-                Ok(Some(Number { n, v: function.call(&arguments) }))
+                Ok(Some(Number { n, v: function.call_by(&arguments, self.queries) }))
             }
             Value::Spline(spline) => self.spline_call(spline).map(Some),
             _ => Ok(None),

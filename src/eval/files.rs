@@ -4,8 +4,12 @@ use super::cursor::{Cursor, Role};
 use super::scope::Scopes;
 use super::{Evaluator, Kept, Number, Place, Value};
 use crate::diag::{SourceResult, Span, Topic};
+use crate::imaging::Encoded;
+use crate::scene::ImageFormat;
 use crate::syntax::{Keyword, Position, Symbol, Token, TokenKind};
+use rustc_hash::FxHashMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A file that a scene opened.
 #[derive(Debug)]
@@ -14,6 +18,16 @@ pub(super) enum OpenFile {
     Reading(Box<Cursor>),
     /// For writing.
     Writing(PathBuf),
+}
+
+/// Files that were read as a whole, so that each is read once for all statements that name it; what the scene writes
+/// may change them.
+#[derive(Debug, Default)]
+pub(super) struct Binaries {
+    /// By place and type.
+    pub(super) pictures: FxHashMap<(PathBuf, ImageFormat), Arc<Encoded>>,
+    /// By place.
+    pub(super) fonts: FxHashMap<PathBuf, Arc<Vec<u8>>>,
 }
 
 /// How `#write` lays out integers.
@@ -42,7 +56,7 @@ impl Evaluator<'_> {
                 return self.expected("read, write or append");
             }
             let path = PathBuf::from(&*name);
-            self.pictures.clear();
+            self.binaries = Binaries::default();
             let opened = if append { self.host.append(&path, &[]) } else { self.host.create(&path) };
             match opened {
                 Ok(Kept::OnDisk) => {}
@@ -138,7 +152,7 @@ impl Evaluator<'_> {
             }
             Ok((path, bytes))
         })?;
-        self.pictures.clear();
+        self.binaries = Binaries::default();
         match self.host.append(&bytes.0, &bytes.1) {
             Ok(Kept::OnDisk) => Ok(()),
             Ok(Kept::InMemory) => {

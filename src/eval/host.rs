@@ -1,10 +1,11 @@
 //! What lies outside of the evaluator: files and the terminal.
 
 use crate::diag::Diagnostic;
-use crate::function::Callable;
+use crate::function::Caller;
 use crate::imaging::Encoded;
 use crate::math::{Bounds, DVec3, Ray};
-use crate::scene::{GeometryQueries, Object, Pattern, Pigment, Settings};
+use crate::scene::{GeometryQueries, Object, PointFunction};
+use crate::syntax::Text;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -30,6 +31,15 @@ pub trait Host {
     /// # Errors
     /// When it cannot be written.
     fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<Kept>;
+    /// A scene or include file that was [read](Self::read) there, or the same one as it was read before: then its tokens
+    /// may be known already.
+    fn text(&self, _path: &Path, text: Text) -> Arc<Text> {
+        Arc::new(text)
+    }
+    /// A font file that was [read](Self::read) there, or the same one as it was read before.
+    fn font(&self, _path: &Path, bytes: Vec<u8>) -> Arc<Vec<u8>> {
+        Arc::new(bytes)
+    }
     /// A picture that was [read](Self::read), or the same one as it was read before: then it is decoded already.
     fn picture(&self, file: Encoded) -> Arc<Encoded> {
         Arc::new(file)
@@ -147,25 +157,13 @@ impl GeometryQueries for NoQueries {
         Bounds::from_corners(DVec3::ZERO, DVec3::ZERO)
     }
 
-    fn pigment_function(&self, _: &Arc<Pigment>, _: &Settings) -> Result<Arc<dyn Callable>, Diagnostic> {
-        Ok(Arc::new(Zero(5)))
-    }
-
-    fn pattern_function(&self, _: &Arc<Pattern>, _: &Settings) -> Result<Arc<dyn Callable>, Diagnostic> {
-        Ok(Arc::new(Zero(1)))
+    fn check(&self, _: &Arc<PointFunction>) -> Result<(), Diagnostic> {
+        Ok(())
     }
 }
 
-/// Zeros whatever the arguments.
-#[derive(Debug)]
-struct Zero(usize);
-
-impl Callable for Zero {
-    fn width(&self) -> usize {
-        self.0
-    }
-
-    fn call(&self, _: &[f64]) -> [f64; 5] {
+impl Caller<PointFunction> for NoQueries {
+    fn call(&self, _: &Arc<PointFunction>, _: &[f64]) -> [f64; 5] {
         [0.0; 5]
     }
 }

@@ -5,6 +5,7 @@ use super::standard_includes::{advice_on_file, standard_include, standard_includ
 use super::{Evaluator, Status};
 use crate::diag::{SourceResult, Span, nearest};
 use crate::syntax::Position;
+use std::io;
 use std::path::{Path, PathBuf};
 
 impl Evaluator<'_> {
@@ -94,10 +95,12 @@ impl Evaluator<'_> {
 
     /// The bytes of a file that was found.
     pub(super) fn bytes_of(&self, path: &Path, span: Span) -> SourceResult<Vec<u8>> {
-        match self.host.read(path) {
-            Ok(bytes) => Ok(bytes),
-            Err(problem) => self.error(span, format!("cannot read {}: {problem}", path.display())),
-        }
+        self.host.read(path).or_else(|problem| self.cannot_read(path, &problem, span))
+    }
+
+    /// What to say of a file that was found.
+    pub(super) fn cannot_read<T>(&self, path: &Path, problem: &io::Error, span: Span) -> SourceResult<T> {
+        self.error(span, format!("cannot read {}: {problem}", path.display()))
     }
 
     /// Folders of the files being read, innermost first, down to the scene's own.

@@ -64,14 +64,13 @@ pub use standard_includes::{standard_include, standard_include_names};
 pub use value::{Array, Macro, Number, Value};
 
 use crate::diag::{Diagnostic, FileId, SourceMap, SourceResult, Span, Topic};
-use crate::imaging::Encoded;
-use crate::scene::{Finish, Gamma, GeometryQueries, ImageFormat, Scene, Settings};
-use crate::syntax::{Names, Position, Source, Symbol, Token, TokenKind};
+use crate::scene::{Finish, Gamma, GeometryQueries, Scene, Settings};
+use crate::syntax::{Names, Position, Source, Symbol, Text, Token, TokenKind};
 use cursor::{Cursor, Role};
 use directives::Block;
 use files::OpenFile;
 use scope::{Place, Scopes};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -133,8 +132,7 @@ pub struct Evaluator<'h> {
     files: Vec<Option<OpenFile>>,
     /// Bytes that were written and are kept in memory.
     n_kept: usize,
-    /// Pictures that were read, by place and type; what the scene writes may change them.
-    pictures: rustc_hash::FxHashMap<(PathBuf, ImageFormat), Arc<Encoded>>,
+    binaries: files::Binaries,
     /// The finish that was written last.
     last_finish: Option<Arc<Finish>>,
     warnings: Vec<Diagnostic>,
@@ -200,7 +198,7 @@ impl<'h> Evaluator<'h> {
             files: Vec::new(),
             n_kept: 0,
             last_finish: None,
-            pictures: rustc_hash::FxHashMap::default(),
+            binaries: files::Binaries::default(),
             warnings: Vec::new(),
             errors: Vec::new(),
             undeclared_by_error: rustc_hash::FxHashSet::default(),
@@ -295,8 +293,8 @@ impl<'h> Evaluator<'h> {
     /// Registers the text of a file.
     fn take_in(&mut self, path: &Path, text: Vec<u8>) -> SourceResult<Rc<Source>> {
         let too_long = u32::try_from(text.len()).is_err();
-        let text = Arc::new(text);
-        let file: FileId = self.sources.add(path.display().to_string(), Arc::clone(&text));
+        let text = self.host.text(path, Text::new(text));
+        let file: FileId = self.sources.add(path.display().to_string(), Arc::clone(text.bytes()));
         if too_long {
             return self.error(Span { file, start: 0, end: 0 }, "files above four gigabytes cannot be read");
         }

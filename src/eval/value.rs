@@ -1,9 +1,9 @@
 //! What identifiers, parameters and array elements hold.
 
 use super::blocks;
-use crate::function::{Function, Spline};
+use crate::function::Spline;
 use crate::math::{Color, DVec3, Transform};
-use crate::scene::{self, MapEntry};
+use crate::scene::{self, Function, MapEntry};
 use crate::syntax::formula::MacroResult;
 use crate::syntax::{Position, Source, Symbol};
 use std::cell::{Cell, OnceCell};

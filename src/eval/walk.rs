@@ -186,7 +186,7 @@ impl Evaluator<'_> {
                 _ => None,
             })
         });
-        function.map_or(f64::NAN, |f| f.call(arguments)[0])
+        function.map_or(f64::NAN, |f| f.call_by(arguments, self.queries)[0])
     }
 
     fn element_number(&self, walk: &Walk<'_>, array: OperandId, indices: &[f64], token: u16) -> SourceResult<Number> {

@@ -12,7 +12,7 @@
 use super::interval::Interval;
 use super::number::Number;
 use super::program::{Binary, Callee, Op, Program, Slot, Unary, int32};
-use super::{Function, FunctionBody};
+use super::{External, Function, FunctionBody};
 use smallvec::SmallVec;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -352,7 +352,7 @@ impl Number for Enclosure {
     }
 }
 
-impl Program {
+impl<T: External> Program<T> {
     /// Bounds over arguments within bounds; missing ones are 0.
     pub fn enclose(&self, arguments: &[Enclosure], slots: &mut EnclosureSlots) -> Enclosure {
         slots.resize(self.ops().len(), Enclosure::WHOLE);
@@ -370,7 +370,7 @@ impl Program {
                     match callee {
                         Callee::Internal(internal) => internal.enclose(&arguments),
                         Callee::Function(function) => function.enclose(&arguments, *component),
-                        Callee::External(_) => Enclosure::WHOLE,
+                        Callee::External(_) | Callee::Spline(_) => Enclosure::WHOLE,
                     }
                 }
                 Op::Fold { product, from, to, body, arguments } => {
@@ -388,20 +388,20 @@ impl Program {
         self.ops().iter().all(|op| match op {
             Op::Call { callee: Callee::Internal(internal), .. } => internal.is_enclosable(),
             Op::Call { callee: Callee::Function(function), .. } => function.is_enclosable(),
-            Op::Call { callee: Callee::External(_), .. } => false,
+            Op::Call { callee: Callee::External(_) | Callee::Spline(_), .. } => false,
             Op::Fold { body, .. } => body.is_enclosable(),
             _ => true,
         })
     }
 }
 
-impl Function {
+impl<T: External> Function<T> {
     /// Bounds of one returned number, over arguments within bounds.
     pub fn enclose(&self, arguments: &[Enclosure], component: u8) -> Enclosure {
         match &self.body {
             FunctionBody::Program(program) => program.enclose(arguments, &mut EnclosureSlots::new()),
             FunctionBody::Internal(internal) => internal.enclose(arguments),
-            FunctionBody::External(_) => Enclosure::WHOLE,
+            FunctionBody::External(_) | FunctionBody::Spline(_) => Enclosure::WHOLE,
             FunctionBody::Transform(transform) => {
                 let at = |i: usize| arguments.get(i).copied().unwrap_or(Enclosure::constant(0.0));
                 let (linear, i) = (transform.linear(), usize::from(component));
@@ -426,7 +426,7 @@ impl Function {
         match &self.body {
             FunctionBody::Program(program) => program.is_enclosable(),
             FunctionBody::Internal(internal) => internal.is_enclosable(),
-            FunctionBody::External(_) => false,
+            FunctionBody::External(_) | FunctionBody::Spline(_) => false,
             FunctionBody::Transform(_) => true,
         }
     }
@@ -446,10 +446,10 @@ fn select([condition, negative, zero, positive]: [Enclosure; 4]) -> Enclosure {
 }
 
 /// A `sum` or `prod` whose ends are known.
-fn fold(
+fn fold<T: External>(
     product: bool,
     [from, to]: [Enclosure; 2],
-    body: &Program,
+    body: &Program<T>,
     mut arguments: SmallVec<[Enclosure; 8]>,
 ) -> Enclosure {
     let (Some(from), Some(to)) = (from.value.single(), to.value.single()) else { return Enclosure::WHOLE };
@@ -472,8 +472,24 @@ fn fold(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::function::{Internal, ProgramBuilder};
+    use crate::function::{Callable, Internal, ProgramBuilder};
     use crate::math::noise::NoiseGenerator;
+
+    /// These functions call nothing external.
+    #[derive(Clone, Debug)]
+    enum Nothing {}
+
+    impl External for Nothing {
+        fn width(&self) -> usize {
+            match *self {}
+        }
+    }
+
+    impl Callable for Nothing {
+        fn call(&self, _: &[f64]) -> [f64; 5] {
+            match *self {}
+        }
+    }
 
     /// Random numbers in -2..2. Source: Steele, Lea, Flood, 2014 (SplitMix64).
     fn random(state: &mut u64) -> f64 {
@@ -486,7 +502,7 @@ mod tests {
 
     /// Along random stretches of rays, values between lie within the bounds, as do the slopes between
     /// neighbouring ones; short stretches have narrow bounds unless `wild`.
-    fn check(name: &str, function: &Function, wild: bool) {
+    fn check(name: &str, function: &Function<Nothing>, wild: bool) {
         let mut state = 7;
         let (mut narrow, mut known) = (0, 0);
         for round in 0..300 {
@@ -570,7 +586,7 @@ mod tests {
             U::Ln,
             U::Log,
         ];
-        let build = |f: &dyn Fn(&mut ProgramBuilder, [Slot; 3]) -> Slot| {
+        let build = |f: &dyn Fn(&mut ProgramBuilder<Nothing>, [Slot; 3]) -> Slot| {
             let mut b = ProgramBuilder::default();
             let xyz = [0, 1, 2].map(|i| b.argument(i));
             let result = f(&mut b, xyz);
@@ -602,7 +618,7 @@ mod tests {
         ];
         for f in binary {
             check(&format!("{f:?}"), &build(&|b, [x, y, _]| b.binary(f, x, y)), true);
-            let constant = |b: &mut ProgramBuilder, [x, ..]: [Slot; 3]| {
+            let constant = |b: &mut ProgramBuilder<Nothing>, [x, ..]: [Slot; 3]| {
                 let c = b.constant(1.7);
                 b.binary(f, x, c)
             };

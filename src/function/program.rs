@@ -9,7 +9,7 @@
 //! constant multiplies by the reciprocal, small integer powers are products,
 //! neighbouring constants of a sum are added first.
 
-use super::{Callable, Function, FunctionBody, internal::Internal};
+use super::{Callable, Caller, Direct, External, Function, FunctionBody, Spline, internal::Internal};
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ pub type Slots = SmallVec<[f64; 64]>;
 
 /// One step; slots refer to earlier steps.
 #[derive(Clone, Debug)]
-pub enum Op {
+pub enum Op<T> {
     /// A number known when the function was declared.
     Constant(f64),
     /// A parameter.
@@ -36,7 +36,7 @@ pub enum Op {
     /// One component of what a pigment, pattern, spline or large function returns.
     Call {
         /// What is called.
-        callee: Callee,
+        callee: Callee<T>,
         /// Its arguments.
         arguments: SmallVec<[Slot; 4]>,
         /// Which of the returned numbers.
@@ -53,7 +53,7 @@ pub enum Op {
         /// Last index.
         to: Slot,
         /// Takes the enclosing function's arguments, the indices of enclosing folds, then its own index.
-        body: Arc<Program>,
+        body: Arc<Program<T>>,
         /// Indices of enclosing folds and whatever else the body takes, in order.
         arguments: SmallVec<[Slot; 4]>,
     },
@@ -61,11 +61,13 @@ pub enum Op {
 
 /// What a call reaches.
 #[derive(Clone, Debug)]
-pub enum Callee {
+pub enum Callee<T> {
     /// Another declared function.
-    Function(Arc<Function>),
-    /// A pigment, pattern or spline.
-    External(Arc<dyn Callable>),
+    Function(Arc<Function<T>>),
+    /// A pigment or pattern.
+    External(Arc<T>),
+    /// A spline.
+    Spline(Arc<Spline>),
     /// One of the built-in functions behind `functions.inc`.
     Internal(Internal),
 }
@@ -125,8 +127,8 @@ pub enum Binary {
 
 /// A compiled function body.
 #[derive(Clone, Debug)]
-pub struct Program {
-    ops: Vec<Op>,
+pub struct Program<T> {
+    ops: Vec<Op<T>>,
     result: Slot,
 }
 
@@ -207,33 +209,59 @@ impl Binary {
     }
 }
 
-impl Callee {
+impl<T: External> Callee<T> {
     /// Where it is, by which it is known; built-in functions are anywhere.
     fn address(&self) -> Option<usize> {
         match self {
             Self::Function(f) => Some(Arc::as_ptr(f) as usize),
-            Self::External(e) => Some(Arc::as_ptr(e).cast::<()>() as usize),
+            Self::External(e) => Some(Arc::as_ptr(e) as usize),
+            Self::Spline(s) => Some(Arc::as_ptr(s) as usize),
             Self::Internal(_) => None,
         }
     }
 
-    fn call(&self, arguments: &[f64]) -> [f64; 5] {
+    fn call(&self, arguments: &[f64], caller: &(impl Caller<T> + ?Sized)) -> [f64; 5] {
         match self {
-            Self::Function(f) => f.call(arguments),
-            Self::External(e) => e.call(arguments),
+            Self::Function(f) => f.call_by(arguments, caller),
+            Self::External(e) => caller.call(e, arguments),
+            Self::Spline(s) => s.at(arguments.first().copied().unwrap_or(0.0)),
             Self::Internal(i) => [i.eval(arguments), 0.0, 0.0, 0.0, 0.0],
         }
     }
 }
 
-impl Program {
-    /// The value for these arguments; missing ones are 0.
-    pub fn eval(&self, arguments: &[f64]) -> f64 {
-        self.eval_in(arguments, &mut Slots::with_capacity(self.ops.len()))
+impl<T> Program<T> {
+    /// Of these operations, of which `result` gives the value.
+    pub(super) fn new(ops: Vec<Op<T>>, result: Slot) -> Self {
+        Self { ops, result }
     }
 
-    /// As [`eval`](Self::eval), with working memory to use again for the next call.
+    /// Working memory with room for all operations.
+    pub(super) fn slots(&self) -> Slots {
+        Slots::with_capacity(self.ops.len())
+    }
+
+    /// The operations in order of evaluation.
+    pub fn ops(&self) -> &[Op<T>] {
+        &self.ops
+    }
+
+    /// Which operation gives the function's value.
+    pub fn result(&self) -> Slot {
+        self.result
+    }
+}
+
+impl<T: Callable> Program<T> {
+    /// The value for these arguments; missing ones are 0. The working memory can be used again for the next call.
     pub fn eval_in(&self, arguments: &[f64], slots: &mut Slots) -> f64 {
+        self.eval_by(arguments, slots, &Direct)
+    }
+}
+
+impl<T: External> Program<T> {
+    /// The value for these arguments, missing ones 0, where `caller` calls what is external.
+    pub(super) fn eval_by(&self, arguments: &[f64], slots: &mut Slots, caller: &(impl Caller<T> + ?Sized)) -> f64 {
         slots.resize(self.ops.len(), 0.0);
         // Once for all, where the memory is.
         let slots = &mut slots[..];
@@ -260,40 +288,37 @@ impl Program {
                         let mut values = SmallVec::<[f64; 8]>::new();
                         // Growing for each saves asking for room that there is.
                         arguments.iter().for_each(|a| values.push(slots[*a as usize]));
-                        returned = callee.call(&values);
+                        returned = callee.call(&values, caller);
                     }
                     returned[usize::from(*component)]
                 }
                 Op::Fold { product, from, to, body, arguments } => {
                     let mut values: SmallVec<[f64; 8]> = arguments.iter().map(|a| slots[*a as usize]).collect();
                     values.push(0.0);
-                    fold(*product, slots[*from as usize], slots[*to as usize], body, &mut values)
+                    fold(*product, slots[*from as usize], slots[*to as usize], body, &mut values, caller)
                 }
             };
             slots[i] = value;
         }
         slots[self.result as usize]
     }
-
-    /// The operations in order of evaluation.
-    pub fn ops(&self) -> &[Op] {
-        &self.ops
-    }
-
-    /// Which operation gives the function's value.
-    pub fn result(&self) -> Slot {
-        self.result
-    }
 }
 
 /// Runs a `sum` or `prod`; the last element of `values` is the running index.
-fn fold(product: bool, from: f64, to: f64, body: &Program, values: &mut [f64]) -> f64 {
+fn fold<T: External>(
+    product: bool,
+    from: f64,
+    to: f64,
+    body: &Program<T>,
+    values: &mut [f64],
+    caller: &(impl Caller<T> + ?Sized),
+) -> f64 {
     let (mut total, mut i) = (if product { 1.0 } else { 0.0 }, from);
     while i <= to {
         if let Some(last) = values.last_mut() {
             *last = i;
         }
-        let term = body.eval(values);
+        let term = body.eval_by(values, &mut body.slots(), caller);
         total = if product { total * term } else { total + term };
         let next = i + 1.0;
         if next == i {
@@ -305,10 +330,16 @@ fn fold(product: bool, from: f64, to: f64, body: &Program, values: &mut [f64]) -
 }
 
 /// Builds a [`Program`], storing equal operations once and folding constants.
-#[derive(Debug, Default)]
-pub struct ProgramBuilder {
-    ops: Vec<Op>,
+#[derive(Debug)]
+pub struct ProgramBuilder<T> {
+    ops: Vec<Op<T>>,
     known: FxHashMap<Key, Slot>,
+}
+
+impl<T> Default for ProgramBuilder<T> {
+    fn default() -> Self {
+        Self { ops: Vec::new(), known: FxHashMap::default() }
+    }
 }
 
 /// What makes two operations equal.
@@ -325,9 +356,9 @@ enum Key {
 /// Inlining stops at this many operations, so that functions calling functions cannot explode.
 const INLINE_LIMIT: usize = 4096;
 
-impl ProgramBuilder {
+impl<T: External> ProgramBuilder<T> {
     /// Ends with `result` as the value. Operations that do not reach it are dropped.
-    pub fn finish(self, result: Slot) -> Program {
+    pub fn finish(self, result: Slot) -> Program<T> {
         let mut needed = vec![false; self.ops.len()];
         needed[result as usize] = true;
         for i in (0..self.ops.len()).rev().filter(|&i| i <= result as usize) {
@@ -351,7 +382,7 @@ impl ProgramBuilder {
         Program { ops, result: moved[result as usize] }
     }
 
-    fn push(&mut self, key: Option<Key>, op: Op) -> Slot {
+    fn push(&mut self, key: Option<Key>, op: Op<T>) -> Slot {
         let slot = self.ops.len() as Slot;
         if let Some(key) = key {
             let known = *self.known.entry(key).or_insert(slot);
@@ -457,17 +488,29 @@ impl ProgramBuilder {
     }
 
     /// A `sum` or `prod`; `arguments` are what the body takes before its index.
-    pub fn fold(&mut self, product: bool, from: Slot, to: Slot, body: Program, arguments: SmallVec<[Slot; 4]>) -> Slot {
+    pub fn fold(
+        &mut self,
+        product: bool,
+        from: Slot,
+        to: Slot,
+        body: Program<T>,
+        arguments: SmallVec<[Slot; 4]>,
+    ) -> Slot {
         self.push(None, Op::Fold { product, from, to, body: Arc::new(body), arguments })
     }
 
     /// Component `component` of a call; small programs are inlined.
-    pub fn call(&mut self, function: &Arc<Function>, arguments: SmallVec<[Slot; 4]>, component: u8) -> Slot {
+    pub fn call(&mut self, function: &Arc<Function<T>>, arguments: SmallVec<[Slot; 4]>, component: u8) -> Slot {
         match &function.body {
             FunctionBody::Program(p) if self.ops.len() + p.ops.len() < INLINE_LIMIT => self.inline(p, &arguments),
             FunctionBody::External(external) => {
-                let key = Key::External(Arc::as_ptr(external).cast::<()>() as usize, arguments.clone(), component);
+                let key = Key::External(Arc::as_ptr(external) as usize, arguments.clone(), component);
                 let callee = Callee::External(external.clone());
+                self.push(Some(key), Op::Call { callee, arguments, component, repeats: false })
+            }
+            FunctionBody::Spline(spline) => {
+                let key = Key::External(Arc::as_ptr(spline) as usize, arguments.clone(), component);
+                let callee = Callee::Spline(spline.clone());
                 self.push(Some(key), Op::Call { callee, arguments, component, repeats: false })
             }
             FunctionBody::Internal(internal) => {
@@ -482,7 +525,7 @@ impl ProgramBuilder {
         }
     }
 
-    fn inline(&mut self, program: &Program, arguments: &[Slot]) -> Slot {
+    fn inline(&mut self, program: &Program<T>, arguments: &[Slot]) -> Slot {
         let mut placed: Vec<Slot> = Vec::with_capacity(program.ops.len());
         for op in &program.ops {
             let at = |slot: &Slot| placed[*slot as usize];
@@ -519,12 +562,12 @@ impl ProgramBuilder {
     }
 }
 
-fn each_operand(op: &Op, mut visit: impl FnMut(Slot)) {
+fn each_operand<T: External>(op: &Op<T>, mut visit: impl FnMut(Slot)) {
     let mut copy = op.clone();
     each_operand_mut(&mut copy, |slot| visit(*slot));
 }
 
-fn each_operand_mut(op: &mut Op, mut visit: impl FnMut(&mut Slot)) {
+fn each_operand_mut<T>(op: &mut Op<T>, mut visit: impl FnMut(&mut Slot)) {
     match op {
         Op::Constant(_) | Op::Argument(_) => {}
         Op::Unary(_, a) => visit(a),
@@ -544,17 +587,17 @@ mod tests {
     use super::*;
 
     /// Builds a body of x, y, z and checks its value.
-    fn check(build: impl Fn(&mut ProgramBuilder, [Slot; 3]) -> Slot, at: [f64; 3], expected: f64) {
+    fn check(build: impl Fn(&mut ProgramBuilder<Counter>, [Slot; 3]) -> Slot, at: [f64; 3], expected: f64) {
         let mut builder = ProgramBuilder::default();
         let xyz = [0, 1, 2].map(|i| builder.argument(i));
         let result = build(&mut builder, xyz);
-        assert_eq!(builder.finish(result).eval(&at).to_bits(), expected.to_bits());
+        assert_eq!(builder.finish(result).eval_in(&at, &mut Slots::new()).to_bits(), expected.to_bits());
     }
 
     #[test]
     fn rounding_follows_the_probes() {
         let binary = |f: Binary, n: f64| {
-            move |b: &mut ProgramBuilder, [x, _, _]: [Slot; 3]| {
+            move |b: &mut ProgramBuilder<Counter>, [x, _, _]: [Slot; 3]| {
                 let c = b.constant(n);
                 b.binary(f, x, c)
             }
@@ -569,7 +612,7 @@ mod tests {
 
     #[test]
     fn neighbouring_constants_of_a_sum_meet_first() {
-        let sum = |b: &mut ProgramBuilder, [x, _, _]: [Slot; 3]| {
+        let sum = |b: &mut ProgramBuilder<Counter>, [x, _, _]: [Slot; 3]| {
             let c = b.constant(1e16);
             let less = b.binary(Binary::Sub, x, c);
             b.binary(Binary::Add, less, c)
@@ -580,7 +623,7 @@ mod tests {
     #[test]
     fn nan_counts_as_greater() {
         let root = |f: Binary| {
-            move |b: &mut ProgramBuilder, [x, _, _]: [Slot; 3]| {
+            move |b: &mut ProgramBuilder<Counter>, [x, _, _]: [Slot; 3]| {
                 let (r, one) = (b.unary(Unary::Sqrt, x), b.constant(1.0));
                 b.binary(f, r, one)
             }
@@ -590,14 +633,16 @@ mod tests {
     }
 
     /// Counts how often it is called.
-    #[derive(Debug, Default)]
-    struct Counter(std::sync::atomic::AtomicU64);
+    #[derive(Clone, Debug, Default)]
+    struct Counter(Arc<std::sync::atomic::AtomicU64>);
 
-    impl Callable for Counter {
+    impl External for Counter {
         fn width(&self) -> usize {
             5
         }
+    }
 
+    impl Callable for Counter {
         fn call(&self, args: &[f64]) -> [f64; 5] {
             self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             [args[0], 10.0 * args[0], 100.0 * args[0], 0.0, 0.0]
@@ -609,20 +654,21 @@ mod tests {
         let counter = Arc::new(Counter::default());
         let body = FunctionBody::External(counter.clone());
         let function = Arc::new(Function { n_parameters: 1, body });
-        let mut b = ProgramBuilder::default();
+        let mut b = ProgramBuilder::<Counter>::default();
         let [x, y] = [0, 1].map(|i| b.argument(i));
-        let of =
-            |b: &mut ProgramBuilder, at: Slot, component: u8| b.call(&function, smallvec::smallvec![at], component);
+        let of = |b: &mut ProgramBuilder<Counter>, at: Slot, component: u8| {
+            b.call(&function, smallvec::smallvec![at], component)
+        };
         let (first, second, other) = (of(&mut b, x, 1), of(&mut b, x, 2), of(&mut b, y, 2));
         let sum = b.binary(Binary::Add, first, second);
         let sum = b.binary(Binary::Add, sum, other);
-        assert_eq!(b.finish(sum).eval(&[1.0, 2.0]), 310.0);
+        assert_eq!(b.finish(sum).eval_in(&[1.0, 2.0], &mut Slots::new()), 310.0);
         assert_eq!(counter.0.load(std::sync::atomic::Ordering::Relaxed), 2);
     }
 
     #[test]
     fn equal_operations_are_stored_once() {
-        let mut b = ProgramBuilder::default();
+        let mut b = ProgramBuilder::<Counter>::default();
         let x = b.argument(0);
         let (s, t) = (b.unary(Unary::Sin, x), b.unary(Unary::Sin, x));
         let product = b.binary(Binary::Mul, s, t);

@@ -77,6 +77,11 @@ impl Encoded {
         self.path == other.path && self.kind == other.kind && self.bytes == other.bytes
     }
 
+    /// The bytes as they were read.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
     /// What errors call it.
     pub fn path(&self) -> &Path {
         &self.path

@@ -7,6 +7,7 @@ mod library;
 mod outcome;
 mod session;
 mod settings;
+mod shelf;
 
 pub use outcome::{Outcome, Ready, Timings};
 pub use session::Session;

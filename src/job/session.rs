@@ -3,7 +3,7 @@
 use super::library::{Library, Remembering};
 use super::{Job, Outcome, Output, Ready, Timings};
 use crate::compile::geometry::Watched;
-use crate::compile::{self, Compiled, Queries};
+use crate::compile::{self, Compiled, Functions, Queries};
 use crate::compiled::World;
 use crate::compiled::camera::Camera;
 use crate::eval::{self, Evaluated, Failed, Host};
@@ -21,7 +21,7 @@ const STACK: usize = 64 << 20;
 pub struct Session {
     /// None where the system gives no threads: then the common ones must do.
     pool: Option<ThreadPool>,
-    /// Pictures that the last scene showed.
+    /// Files that the last scene read.
     library: Library,
 }
 
@@ -40,13 +40,13 @@ impl Session {
     pub fn compile(&self, scene: &Path, reading: &eval::Options, host: &dyn Host) -> Result<Ready, Box<Failed>> {
         let mut timings = Timings::default();
         self.library.begin_scene();
-        let pictures = &self.library.pictures;
+        let functions = Functions::sharing(&self.library.pictures);
         let host = Remembering { host, library: &self.library };
         // On this thread, whose heap grows in large pages.
-        let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(pictures)));
+        let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(&functions)));
         let Evaluated { scene: description, mut warnings, mut sources } = read?;
         sources.release_large();
-        match timings.time("compile", || self.on_all_threads(|| compile::compile_sharing(&description, pictures))) {
+        match timings.time("compile", || self.on_all_threads(|| compile::compile_sharing(&description, &functions))) {
             Ok(Compiled { world, warnings: more, watched }) => {
                 warnings.extend(more);
                 Ok(Ready { world, watched, warnings, sources, timings })
@@ -101,9 +101,8 @@ impl Session {
     /// When one cannot be written; those before it are there.
     pub fn write(&self, outcome: &mut Outcome, outputs: &[Output]) -> Result<(), ImageError> {
         let Outcome { picture, metadata, timings, .. } = outcome;
-        timings.time("write", || {
-            outputs.iter().try_for_each(|output| imaging::save(&output.file, picture, metadata, output.encoding))
-        })
+        let save = || outputs.iter().try_for_each(|o| imaging::save(&o.file, picture, metadata, o.encoding));
+        timings.time("write", || self.on_all_threads(save))
     }
 }
 

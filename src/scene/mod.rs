@@ -12,12 +12,14 @@
 //! - defaults (`#default`, inherited pigments) are already filled in, but texture and
 //!   interior inheritance from CSG parents to children is not: an absent texture means
 //!   "take the parent's";
+//! - functions hold the pigments and patterns that they call as data: here nobody can call them;
 //! - what `compile` may have to complain about knows where it was written.
 
 mod atmosphere;
 mod camera;
 mod default_colors;
 mod dump;
+mod function;
 mod global_light;
 mod interior;
 mod light;
@@ -30,6 +32,7 @@ mod texture;
 pub use atmosphere::*;
 pub use camera::*;
 pub use default_colors::default_colors;
+pub use function::*;
 pub use global_light::*;
 pub use interior::*;
 pub use light::*;

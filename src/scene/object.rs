@@ -1,7 +1,8 @@
 //! Objects: a shape, where it stands, what it looks like.
 
-use super::{CsgOperation, Interior, Shape, Texture};
+use super::{CsgOperation, Interior, PointFunction, Shape, Texture};
 use crate::diag::{Diagnostic, Span};
+use crate::function::Caller;
 use crate::math::{Bounds, Transform};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -253,32 +254,19 @@ impl Object {
 }
 
 /// What the language may ask about objects while a scene is being read (`trace`, `inside`,
-/// `min_extent`), answered by the compiled scene behind this interface.
-pub trait GeometryQueries {
+/// `min_extent`, calls of pigments and patterns), answered by the compiled scene behind this interface.
+pub trait GeometryQueries: Caller<PointFunction> {
     /// Nearest hit of a ray with unit direction: the point and the unit raw normal.
     fn trace(&self, object: &Arc<Object>, ray: &crate::math::Ray) -> Option<(crate::math::DVec3, crate::math::DVec3)>;
     /// Whether the point is inside; `None` for patches, which have no inside.
     fn inside(&self, object: &Arc<Object>, point: crate::math::DVec3) -> Option<bool>;
     /// The bounding box.
     fn extent(&self, object: &Arc<Object>) -> Bounds;
-    /// Makes a pigment callable: five components at (x, y, z).
+    /// Whether a pigment or pattern can be called: only then it [is](Caller::call).
     ///
     /// # Errors
     /// What is wrong with it, with a place if one is known.
-    fn pigment_function(
-        &self,
-        pigment: &Arc<super::Pigment>,
-        settings: &super::Settings,
-    ) -> Result<Arc<dyn crate::function::Callable>, Diagnostic>;
-    /// Makes a pattern callable: one value at (x, y, z).
-    ///
-    /// # Errors
-    /// As [`pigment_function`](Self::pigment_function).
-    fn pattern_function(
-        &self,
-        pattern: &Arc<super::Pattern>,
-        settings: &super::Settings,
-    ) -> Result<Arc<dyn crate::function::Callable>, Diagnostic>;
+    fn check(&self, function: &Arc<PointFunction>) -> Result<(), Diagnostic>;
     /// Pixels across and down of the picture a pigment shows, if it shows one.
     fn image_size(&self, _pigment: &Arc<super::Pigment>) -> Option<[u32; 2]> {
         None

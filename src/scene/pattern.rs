@@ -1,8 +1,7 @@
 //! Patterns: a value for each point of space, and how the point is moved first.
 
-use super::{Image, ImageMapping, Object, Pigment};
+use super::{Function, Image, ImageMapping, Object, Pigment};
 use crate::diag::Span;
-use crate::function::Function;
 use crate::math::{DVec3, Transform};
 use std::path::PathBuf;
 use std::sync::Arc;

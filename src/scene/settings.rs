@@ -1,8 +1,7 @@
 //! `global_settings` and the pictures that scenes refer to.
 
-use super::{Photons, Radiosity, Subsurface};
+use super::{Function, Photons, Radiosity, Subsurface};
 use crate::diag::Span;
-use crate::function::Function;
 use crate::imaging::Encoded;
 use crate::math::Rgb;
 use std::sync::Arc;

@@ -1,7 +1,6 @@
 //! Shapes as a scene file gives them, each in its own space.
 
-use super::{Image, LightSource, Object, PlacedTexture, Texture};
-use crate::function::Function;
+use super::{Function, Image, LightSource, Object, PlacedTexture, Texture};
 use crate::math::{DVec2, DVec3, DVec4, Transform};
 use std::sync::Arc;
 
@@ -305,7 +304,7 @@ pub struct Prism {
 #[derive(Clone, Debug)]
 pub struct Text {
     /// The font file's bytes.
-    pub font: Arc<[u8]>,
+    pub font: Arc<Vec<u8>>,
     /// Character codes.
     pub characters: Vec<u16>,
     /// Whether `charset` asks for Unicode lookup.

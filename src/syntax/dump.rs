@@ -131,13 +131,14 @@ impl Tree {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Text;
     use super::*;
     use std::sync::Arc;
 
     fn check(dump: fn(&Source, &SourceMap) -> String, text: &str, expected: &[&str]) {
         let mut sources = SourceMap::default();
-        let text = Arc::new(text.as_bytes().to_vec());
-        let file = sources.add("a.pov", Arc::clone(&text));
+        let text = Arc::new(Text::new(text.as_bytes().to_vec()));
+        let file = sources.add("a.pov", Arc::clone(text.bytes()));
         let dumped = dump(&Source::new(file, text), &sources);
         assert_eq!(dumped.lines().collect::<Vec<_>>(), expected);
     }

@@ -27,6 +27,7 @@ mod memo;
 mod names;
 mod numbers;
 mod source;
+mod text;
 mod token;
 pub mod vectors;
 
@@ -35,4 +36,5 @@ pub use dump::{dump_tokens, dump_tree};
 pub use keyword::Keyword;
 pub use names::{Names, Symbol};
 pub use source::{Piece, Position, Source};
+pub use text::Text;
 pub use token::{Malformed, Token, TokenKind};

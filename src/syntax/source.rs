@@ -3,7 +3,7 @@
 use super::formula::{self, Formula, Statement};
 use super::lexer::tokenise;
 use super::memo::Memo;
-use super::{Directive, Names, Symbol, Token, TokenKind};
+use super::{Directive, Names, Symbol, Text, Token, TokenKind};
 use crate::diag::FileId;
 use rustc_hash::FxHashMap;
 use std::cell::RefCell;
@@ -28,7 +28,7 @@ pub struct Position {
 pub struct Source {
     /// Its number in the source map.
     pub file: FileId,
-    text: Arc<Vec<u8>>,
+    text: Arc<Text>,
     parsed: RefCell<Parsed>,
 }
 
@@ -96,14 +96,14 @@ impl Parsed {
 }
 
 impl Source {
-    /// Over the bytes of a file, from `skip` on.
-    pub fn new(file: FileId, text: Arc<Vec<u8>>) -> Self {
+    /// Over a file.
+    pub fn new(file: FileId, text: Arc<Text>) -> Self {
         Self { file, text, parsed: RefCell::default() }
     }
 
     /// The bytes of the file.
     pub fn text(&self) -> &Arc<Vec<u8>> {
-        &self.text
+        self.text.bytes()
     }
 
     /// The tokens of piece number `index`; `None` past the end of the file.
@@ -113,15 +113,22 @@ impl Source {
         }
         // A piece begins where the one before ends.
         let start = match index.checked_sub(1) {
-            None => byte_order_mark(&self.text),
+            None => byte_order_mark(self.text()),
             Some(before) => self.end_of(before, names)?,
         };
-        if start >= self.text.len() {
+        if start >= self.text().len() {
             return None;
         }
         let parsed = &mut *self.parsed.borrow_mut();
         let mut room = parsed.room();
-        let end = tokenise(self.file, &self.text, start, names, &mut room);
+        let end = match self.text.kept(index) {
+            Some(kept) => kept.write(self.file, names, &mut room),
+            None => {
+                let end = tokenise(self.file, self.text(), start, names, &mut room);
+                self.text.keep(index, &room, names, end);
+                end
+            }
+        };
         if parsed.ends.len() == index {
             parsed.ends.push(end);
             parsed.tokens.push(None);

@@ -10,6 +10,7 @@ use super::labels::Labeler;
 use super::primitive::fold;
 use super::quadric_reach::within;
 use super::room::{extent, gap};
+use crate::compile::function::Functions;
 use crate::compiled::Table;
 use crate::compiled::geometry::{
     Cuboid, Geometry, Group, GroupBuilder, GroupId, Instance, InteriorId, Item, ItemKind, LightGroupId,
@@ -43,6 +44,7 @@ struct Shared {
 /// Everything under construction.
 pub(super) struct Builder<'a> {
     pub(super) census: &'a Census,
+    pub(super) functions: &'a Functions,
     pub(super) geometry: Geometry,
     pub(super) textures: Table<TextureId, Arc<Texture>>,
     pub(super) texture_ids: FxHashMap<*const Texture, TextureId>,
@@ -53,8 +55,10 @@ pub(super) struct Builder<'a> {
     pub(super) interiors: Table<InteriorId, Arc<Interior>>,
     pub(super) meshes: FxHashMap<*const crate::scene::Mesh, Arc<MeshTree>>,
     pub(super) height_grids: FxHashMap<GridKey, Arc<crate::compiled::geometry::HeightGrid>>,
-    /// By the object as it was first declared.
-    pub(super) watched: FxHashMap<*const crate::scene::Isosurface, super::watch::Watched>,
+    /// In the order in which they are met.
+    pub(super) watched: Vec<super::watch::Watched>,
+    /// By the object as it was first declared, which of them it is.
+    pub(super) watched_ids: FxHashMap<*const crate::scene::Isosurface, usize>,
     pub(super) errors: Vec<Diagnostic>,
     pub(super) labeler: Labeler,
     default_interior: Arc<Interior>,
@@ -64,7 +68,7 @@ pub(super) struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     /// With room for so many simple objects: most scenes of many objects have little else.
-    pub(super) fn new(census: &'a Census, n_objects: usize) -> Self {
+    pub(super) fn new(census: &'a Census, n_objects: usize, functions: &'a Functions) -> Self {
         let geometry = Geometry {
             primitives: Table::with_capacity(n_objects),
             appearances: Table::with_capacity(n_objects),
@@ -73,6 +77,7 @@ impl<'a> Builder<'a> {
         };
         Self {
             census,
+            functions,
             geometry,
             textures: Table::default(),
             texture_ids: FxHashMap::default(),
@@ -82,7 +87,8 @@ impl<'a> Builder<'a> {
             interiors: Table::with_capacity(n_objects),
             meshes: FxHashMap::default(),
             height_grids: FxHashMap::default(),
-            watched: FxHashMap::default(),
+            watched: Vec::new(),
+            watched_ids: FxHashMap::default(),
             errors: Vec::new(),
             labeler: Labeler::default(),
             default_interior: Arc::default(),

@@ -4,6 +4,7 @@
 //! a hierarchy has tight ones of its own. Source: shape facts, section 9.
 
 use super::compile_object;
+use super::implicit::container;
 use super::primitive::fold;
 use super::text::glyph_boxes;
 use crate::compiled::geometry::Shape as Compiled;
@@ -167,6 +168,8 @@ fn leaf(shape: &Shape, place: &Transform, object: &Object) -> Bounds {
             let line = glyphs.iter().fold(Bounds::EMPTY, |sum, b| sum.union(b));
             if line.is_empty() { Bounds::INFINITE } else { moved(&single(&line), place) }
         }
+        Shape::Isosurface(surface) => moved(&container(surface.container).bounds(), place),
+        Shape::Parametric(surface) => moved(&container(surface.container).bounds(), place),
         Shape::Quadric { .. } if !keeps_directions(place) => Bounds::INFINITE,
         _ => compiled(object, |_| None),
     }

@@ -7,6 +7,7 @@ use super::implicit;
 use super::inherit::Context;
 use super::primitive::Folded;
 use super::sweep;
+use crate::compile::texture::Refusal;
 use crate::compiled::geometry::{Blob, BlobPart, Core, HeightField, Mesh, MeshData, MeshTree, Shape as Compiled};
 use crate::diag::Diagnostic;
 use crate::math::{DVec3, Transform};
@@ -38,9 +39,12 @@ pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Conte
         }
         Shape::Isosurface(surface) => {
             let shape = implicit::isosurface(builder, surface, object.span);
-            Some(Some(placed(shape, inside.group_from_parent)))
+            Some(of_functions(builder, shape, object, inside))
         }
-        Shape::Parametric(surface) => Some(Some(placed(implicit::parametric(surface), inside.group_from_parent))),
+        Shape::Parametric(surface) => {
+            let shape = implicit::parametric(builder, surface);
+            Some(of_functions(builder, shape, object, inside))
+        }
         Shape::JuliaFractal(julia) => Some(Some(placed(implicit::julia(julia), inside.group_from_parent))),
         Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base.distance(*cap) < POV_TINY => {
             let message = "degenerate cylinder or cone: both ends are the same point";
@@ -56,6 +60,17 @@ fn placed(shape: Compiled, place: Transform) -> Folded {
     Folded { shape, group_from_local: (!place.is_identity()).then_some(place), uv_from_group: None }
 }
 
+/// A shape made of functions, where all of them can be called.
+fn of_functions(
+    builder: &mut Builder<'_>,
+    shape: Result<Compiled, Refusal>,
+    object: &Object,
+    inside: &Context,
+) -> Option<Folded> {
+    let shape = shape.map_err(|refusal| builder.errors.push(refusal.at(object.span).diagnostic()));
+    Some(placed(shape.ok()?, inside.group_from_parent))
+}
+
 /// A height field, whose grid all that are made alike share.
 fn convert_height_field(
     builder: &mut Builder<'_>,
@@ -66,14 +81,14 @@ fn convert_height_field(
     let key = grid_key(field);
     let grid = match builder.height_grids.get(&key) {
         Some(grid) => Arc::clone(grid),
-        None => match height_grid(field) {
+        None => match height_grid(field, builder.functions) {
             Ok(grid) => {
                 let grid = Arc::new(grid?);
                 builder.height_grids.insert(key, Arc::clone(&grid));
                 grid
             }
-            Err(message) => {
-                builder.errors.push(Diagnostic::error(object.span, message));
+            Err(refusal) => {
+                builder.errors.push(refusal.at(object.span).diagnostic());
                 return None;
             }
         },

@@ -2,9 +2,12 @@
 //!
 //! Source: freeform facts, section 3.
 
+use crate::compile::function::Functions;
 use crate::compile::picture::stored_level;
+use crate::compile::texture::Refusal;
+use crate::compiled::Function;
 use crate::compiled::geometry::HeightGrid;
-use crate::function::Function;
+use crate::function::Translate as _;
 use crate::imaging::{Pixels, linear_from_srgb};
 use crate::scene::{self, ImageFormat, ImageSource, Working};
 use std::sync::Arc;
@@ -30,8 +33,8 @@ pub(super) fn grid_key(field: &scene::HeightField) -> GridKey {
 /// Builds the grid of a height field.
 ///
 /// # Errors
-/// A message if the picture cannot be read.
-pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGrid>, String> {
+/// A message if the picture cannot be read, or the function not be called.
+pub(super) fn height_grid(field: &scene::HeightField, functions: &Functions) -> Result<Option<HeightGrid>, Refusal> {
     let (width, depth, top_down) = match &field.image.source {
         ImageSource::File { file, format } => {
             let pixels = file.pixels()?;
@@ -44,7 +47,7 @@ pub(super) fn height_grid(field: &scene::HeightField) -> Result<Option<HeightGri
         }
         ImageSource::Function { width, height, function } => {
             let (w, h) = (*width as usize, *height as usize);
-            (w, h, from_function(w, h, function))
+            (w, h, from_function(w, h, &*functions.function(function)?))
         }
     };
     if width < 2 || depth < 2 {

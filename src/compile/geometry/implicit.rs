@@ -2,14 +2,16 @@
 
 use super::builder::Builder;
 use super::watch::Watched;
+use crate::compile::texture::Refusal;
 use crate::compiled::geometry::{Container, Isosurface, Julia, JuliaFunction, Parametric, Shape as Compiled};
 use crate::diag::Span;
+use crate::function::Translate as _;
 use crate::math::Bounds;
 use crate::scene;
 use std::sync::Arc;
 
 /// POV-Ray's container, its corners sorted.
-fn container(container: scene::Container) -> Container {
+pub(super) fn container(container: scene::Container) -> Container {
     match container {
         scene::Container::Box { min, max } => Container::Box(Bounds::from_corners(min, max)),
         scene::Container::Sphere { center, radius } => Container::Sphere { center, radius },
@@ -17,7 +19,15 @@ fn container(container: scene::Container) -> Container {
 }
 
 /// An isosurface; what its searches find out is watched under its first place.
-pub(super) fn isosurface(builder: &mut Builder<'_>, surface: &Arc<scene::Isosurface>, span: Span) -> Compiled {
+///
+/// # Errors
+/// What is wrong with its function.
+pub(super) fn isosurface(
+    builder: &mut Builder<'_>,
+    surface: &Arc<scene::Isosurface>,
+    span: Span,
+) -> Result<Compiled, Refusal> {
+    let function = builder.functions.function(&surface.function)?;
     let guaranteed = surface.search == scene::IsosurfaceSearch::Guaranteed && surface.function.is_enclosable();
     let watch = || Watched {
         span,
@@ -26,9 +36,12 @@ pub(super) fn isosurface(builder: &mut Builder<'_>, surface: &Arc<scene::Isosurf
         believes: !guaranteed,
         adapts: surface.evaluate.is_some(),
     };
-    let watched = builder.watched.entry(Arc::as_ptr(surface)).or_insert_with(watch);
-    Compiled::Isosurface(Box::new(Isosurface {
-        function: surface.function.clone(),
+    let id = *builder.watched_ids.entry(Arc::as_ptr(surface)).or_insert_with(|| {
+        builder.watched.push(watch());
+        builder.watched.len() - 1
+    });
+    Ok(Compiled::Isosurface(Box::new(Isosurface {
+        function,
         container: container(surface.container),
         threshold: surface.threshold,
         accuracy: surface.accuracy,
@@ -37,20 +50,24 @@ pub(super) fn isosurface(builder: &mut Builder<'_>, surface: &Arc<scene::Isosurf
         max_trace: surface.max_trace,
         open: surface.open,
         guaranteed,
-        notes: Arc::clone(&watched.notes),
-    }))
+        notes: Arc::clone(&builder.watched[id].notes),
+    })))
 }
 
 /// A parametric surface. POV-Ray's `precompute` only saves it time.
-pub(super) fn parametric(surface: &scene::Parametric) -> Compiled {
-    Compiled::Parametric(Box::new(Parametric {
-        functions: surface.functions.clone(),
+///
+/// # Errors
+/// What is wrong with one of its functions.
+pub(super) fn parametric(builder: &Builder<'_>, surface: &scene::Parametric) -> Result<Compiled, Refusal> {
+    let [x, y, z] = surface.functions.each_ref().map(|function| builder.functions.function(function));
+    Ok(Compiled::Parametric(Box::new(Parametric {
+        functions: [x?, y?, z?],
         min: surface.min,
         max: surface.max,
         container: container(surface.container),
         accuracy: surface.accuracy,
         max_gradient: surface.max_gradient,
-    }))
+    })))
 }
 
 /// A Julia set, its slice solved for the fourth coordinate.

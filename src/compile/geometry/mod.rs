@@ -21,6 +21,7 @@ mod tests;
 mod text;
 mod watch;
 
+use crate::compile::function::Functions;
 use crate::compiled::geometry::{Geometry, Group, GroupBuilder, InteriorId, LightGroupId, TextureId};
 use crate::compiled::{Labels, Table};
 use crate::diag::{Diagnostic, SourceResult, Span};
@@ -82,11 +83,11 @@ pub struct LightGroup {
 ///
 /// # Errors
 /// Located messages for shapes that are not supported yet and for limits.
-pub fn compile(scene: &Scene) -> SourceResult<CompiledGeometry> {
+pub fn compile(scene: &Scene, functions: &Functions) -> SourceResult<CompiledGeometry> {
     let fallback = Arc::new(Texture::default());
     let default_of = |i: usize| scene.default_textures.get(i).unwrap_or(&fallback);
     let objects: Vec<_> = scene.objects.iter().enumerate().map(|(i, o)| (o, default_of(i))).collect();
-    build(&objects, true, scene.settings.max_parts)
+    build(&objects, true, scene.settings.max_parts, functions)
 }
 
 /// Compiles one object by itself, for `trace`, `inside`, object patterns and `projected_through`.
@@ -94,11 +95,24 @@ pub fn compile(scene: &Scene) -> SourceResult<CompiledGeometry> {
 /// # Errors
 /// As [`compile`].
 pub fn compile_object(object: &Object) -> SourceResult<Geometry> {
-    Ok(build(&[(object, &Arc::default())], false, Settings::default().max_parts)?.geometry)
+    compile_object_sharing(object, &Functions::default())
+}
+
+/// The same, with what was made of functions already.
+///
+/// # Errors
+/// As [`compile`].
+pub(in crate::compile) fn compile_object_sharing(object: &Object, functions: &Functions) -> SourceResult<Geometry> {
+    Ok(build(&[(object, &Arc::default())], false, Settings::default().max_parts, functions)?.geometry)
 }
 
 /// All passes in order.
-fn build(objects: &[(&Object, &Arc<Texture>)], split: bool, max_parts: u64) -> SourceResult<CompiledGeometry> {
+fn build(
+    objects: &[(&Object, &Arc<Texture>)],
+    split: bool,
+    max_parts: u64,
+    functions: &Functions,
+) -> SourceResult<CompiledGeometry> {
     let mut census = Census::default();
     for (object, _) in objects {
         census.count(object);
@@ -116,7 +130,7 @@ fn build(objects: &[(&Object, &Arc<Texture>)], split: bool, max_parts: u64) -> S
     for (object, _) in objects {
         collect_lights(object, &Transform::IDENTITY, None, &census, &mut out);
     }
-    let mut builder = Builder::new(&census, objects.len());
+    let mut builder = Builder::new(&census, objects.len(), functions);
     let mut items = GroupBuilder::with_capacity(objects.len());
     for (object, default) in objects {
         builder.place_root(object, default, split, &mut items);
@@ -124,8 +138,7 @@ fn build(objects: &[(&Object, &Arc<Texture>)], split: bool, max_parts: u64) -> S
     if !builder.errors.is_empty() {
         return Err(builder.errors);
     }
-    let Builder { mut geometry, textures, interiors, labeler, watched, .. } = builder;
-    let mut watched: Vec<_> = watched.into_values().collect();
+    let Builder { mut geometry, textures, interiors, labeler, mut watched, .. } = builder;
     watched.sort_by_key(|w| w.span);
     geometry.root = Group::new(items);
     Ok(CompiledGeometry { geometry, textures, interiors, labels: labeler.finish(), watched, ..out })

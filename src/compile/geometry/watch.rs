@@ -48,6 +48,8 @@ impl Watched {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compile::{Queries, compile};
+    use crate::eval::{Memory, Options, evaluate};
 
     fn check(given: f64, found: f64, believes: bool, expected: Option<&str>) {
         let notes = Arc::new(SearchNotes::default());
@@ -70,5 +72,13 @@ mod tests {
         check(100.0, 89.0, true, faster);
         check(1.1, 2.0, false, Some("POV-Ray loses parts of this isosurface, which are shown here"));
         check(5.0, 2.0, false, None);
+    }
+    #[test]
+    fn isosurfaces_of_one_statement_come_in_their_order() {
+        let text = "#version 3.7; #for (I, 1, 50) isosurface { function { x } max_gradient I } #end";
+        let host = Memory::new([("a.pov", text)]);
+        let read = evaluate("a.pov".as_ref(), &Options::default(), &host, &Queries::default()).unwrap();
+        let watched = compile(&read.scene).unwrap().watched;
+        assert!(watched.len() == 50 && watched.iter().map(|w| w.max_gradient).is_sorted());
     }
 }

@@ -7,7 +7,7 @@ mod normal;
 mod pattern;
 mod picture;
 
-use super::picture::Pictures;
+use super::function::Functions;
 use crate::compiled::texture::{
     Blend, Finish, ImageMap, Layer, Normal, PatternedTexture, Pigment, Texture, WaveSources,
 };
@@ -62,7 +62,7 @@ impl From<&str> for Refusal {
 #[derive(Debug)]
 pub struct TextureCompiler<'s> {
     settings: &'s Settings,
-    pictures: Pictures,
+    functions: Functions,
     image_maps: Shared<scene::ImageMap, ImageMap>,
     colors: Shared<scene::Blend<Color>, Blend<Color>>,
     pigments: Shared<scene::Blend<Arc<scene::Pigment>>, Blend<Pigment>>,
@@ -83,14 +83,14 @@ const MAX_PARTS: usize = 200_000;
 impl<'s> TextureCompiler<'s> {
     /// For a scene with these settings.
     pub fn new(settings: &'s Settings) -> Self {
-        Self::sharing(settings, &Pictures::default())
+        Self::sharing(settings, &Functions::default())
     }
 
-    /// The same, with the pictures of other compilers.
-    pub(super) fn sharing(settings: &'s Settings, pictures: &Pictures) -> Self {
+    /// The same, with the functions and pictures of other compilers.
+    pub(super) fn sharing(settings: &'s Settings, functions: &Functions) -> Self {
         Self {
             settings,
-            pictures: pictures.clone(),
+            functions: functions.clone(),
             image_maps: Shared::default(),
             colors: Shared::default(),
             pigments: Shared::default(),

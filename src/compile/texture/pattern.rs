@@ -1,12 +1,14 @@
 //! Patterns: warps in the order in which a point passes them, formulas with folded constants.
 
 use super::{Refusal, TextureCompiler};
-use crate::compile::geometry::compile_object;
+use crate::compile::function::Functions;
+use crate::compile::geometry::compile_object_sharing;
 use crate::compiled::geometry::Geometry;
 use crate::compiled::texture::{
     Around, BlackHole, Coloring, Crackle, DensityFile, Fractal, FractalSet, InnerTurbulence, Pattern, PatternKind,
     Pavement, Slope, SlopeAxis, Tiling, Warp, Wave, WaveSources,
 };
+use crate::function::Translate as _;
 use crate::math::DVec3;
 use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::scene;
@@ -71,7 +73,7 @@ impl TextureCompiler<'_> {
                 PatternKind::Density(Arc::new(read.map_err(|wrong| Refusal::from(wrong).at(*span))?))
             }
             S::Dents => PatternKind::Dents(generator),
-            S::Function(function) => PatternKind::Function(Arc::clone(function)),
+            S::Function(function) => PatternKind::Function(self.functions.function(function)?),
             S::Gradient(direction) => PatternKind::Gradient(direction.normalize_or_zero()),
             S::Granite => PatternKind::Granite(generator),
             S::Hexagon => PatternKind::Hexagon,
@@ -82,7 +84,7 @@ impl TextureCompiler<'_> {
             S::Leopard => PatternKind::Leopard,
             S::Marble => PatternKind::Marble(inner()),
             S::Material(picture) => PatternKind::Material(self.value_picture(&picture.0)?, mapping_of(&picture.1), 0),
-            S::Object(object) => PatternKind::Object(Arc::new(solid(object)?)),
+            S::Object(object) => PatternKind::Object(Arc::new(solid(object, &self.functions)?)),
             S::Onion => PatternKind::Onion,
             S::Pavement { span, sides, tiles, pattern, interior, exterior, form } => {
                 let pavement = Pavement::new(*sides, *tiles, *pattern, [*interior, *exterior, *form]);
@@ -131,8 +133,8 @@ impl TextureCompiler<'_> {
 }
 
 /// The object of an object pattern.
-fn solid(object: &Arc<scene::Object>) -> Result<Geometry, Refusal> {
-    compile_object(object).map_err(|errors| match errors.into_iter().next() {
+fn solid(object: &Arc<scene::Object>, functions: &Functions) -> Result<Geometry, Refusal> {
+    compile_object_sharing(object, functions).map_err(|errors| match errors.into_iter().next() {
         Some(error) => Refusal { span: error.span, message: format!("in an object pattern: {}", error.message) },
         None => "this object cannot serve as a pattern".into(),
     })

@@ -4,6 +4,7 @@ use super::pattern::mapping_of;
 use super::{Refusal, TextureCompiler};
 use crate::compile::picture::{Curve, Making, stored_level};
 use crate::compiled::texture::{ImageMap, Raster, Texels, Transparency};
+use crate::function::Translate as _;
 use crate::imaging::{self, Pixels, Samples};
 use crate::scene::{self, Gamma, ImageFormat, ImageSource, Working};
 use std::sync::Arc;
@@ -42,11 +43,12 @@ impl TextureCompiler<'_> {
                 let pixels = file.pixels()?;
                 let curve = curve(*format, &pixels);
                 let made = Making::File(Arc::clone(file), curve, image.premultiplied);
-                Ok(self.pictures.raster(made, |_| to_raster(&pixels, &curve, image.premultiplied)))
+                Ok(self.functions.pictures.raster(made, |_| to_raster(&pixels, &curve, image.premultiplied)))
             }
             ImageSource::Function { width, height, function } => {
                 let made = Making::Function(Arc::clone(function), [*width, *height]);
-                Ok(self.pictures.raster(made, |_| sampled(*width, *height, function)))
+                let function = self.functions.function(function)?;
+                Ok(self.functions.pictures.raster(made, |_| sampled(*width, *height, &function)))
             }
         }
     }
@@ -177,7 +179,7 @@ fn to_raster(pixels: &Pixels, curve: &Curve, premultiplied: Option<bool>) -> Ras
 /// `function W, H { … }`: sampled from corner to corner, the top row at y = 0, in 16 bits that wrap around.
 ///
 /// Source: section 8.2 of the function facts; a picture one pixel wide is sampled at 0 / 0, as in POV-Ray.
-fn sampled(width: u32, height: u32, function: &crate::function::Function) -> Raster {
+fn sampled(width: u32, height: u32, function: &crate::compiled::Function) -> Raster {
     let quantise = |v: f64| (stored_level(v) / 65535.0) as f32;
     let scalar = function.width() == 1;
     let pixel = |x: u32, y: u32| {

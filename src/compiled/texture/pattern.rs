@@ -4,8 +4,8 @@ use super::{
     Blend, Crackle, DensityFile, Fractal, InnerTurbulence, Mapping, Pavement, Pick, Pigment, Raster, Slope, Tiling,
     Warp, WaveSources, formula,
 };
+use crate::compiled::Function;
 use crate::compiled::geometry::Geometry;
-use crate::function::Function;
 use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::math::{DVec3, LANES, Points, Uv, each_lane, fraction, round_to_even};
 use std::sync::Arc;

@@ -6,6 +6,7 @@ use crate::eval::disk::FONT_FOLDERS;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::{BicubicPatch, Blob, BlobComponent, HeightField, Prism, Shape, SweepSpline, Text};
 use crate::syntax::Keyword as K;
+use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -321,26 +322,35 @@ impl Evaluator<'_> {
     }
 
     /// A font of the system in place of one that comes with POV-Ray.
-    fn system_font(&mut self, name: &str, span: Span) -> SourceResult<Arc<[u8]>> {
+    fn system_font(&mut self, name: &str, span: Span) -> SourceResult<Arc<Vec<u8>>> {
         let stem = name.rsplit(['/', '\\']).next().unwrap_or(name).trim_end_matches(".ttf").to_ascii_lowercase();
         let fonts = STANDARD_FONTS.iter().find(|(standard, _)| *standard == stem).map_or(&[][..], |(_, fonts)| fonts);
         let found = fonts.iter().find_map(|font| {
             let path = FONT_FOLDERS.iter().map(|folder| Path::new(folder).join(font));
-            path.into_iter().find_map(|path| Some((self.host.read(&path).ok()?, path)))
+            path.into_iter().find_map(|path| Some((self.font_at(&path).ok()?, path)))
         });
-        let Some((bytes, path)) = found else {
+        let Some((font, path)) = found else {
             return self.error(span, format!("cannot find the font \"{name}\""));
         };
         let message = format!("\"{name}\" comes with POV-Ray, which is not installed; {} stands in", path.display());
         self.warn_here(Topic::Files, span, message);
-        Ok(bytes.into())
+        Ok(font)
     }
 
-    fn font_file(&mut self, name: &str, span: Span) -> SourceResult<Arc<[u8]>> {
+    fn font_file(&mut self, name: &str, span: Span) -> SourceResult<Arc<Vec<u8>>> {
         let Some(path) = self.find_typed(name, &["ttf", "TTF", "ttc", "TTC"]) else {
             return self.system_font(name, span);
         };
-        Ok(self.bytes_of(&path, span)?.into())
+        self.font_at(&path).or_else(|problem| self.cannot_read(&path, &problem, span))
+    }
+
+    fn font_at(&mut self, path: &Path) -> io::Result<Arc<Vec<u8>>> {
+        if let Some(known) = self.binaries.fonts.get(path) {
+            return Ok(Arc::clone(known));
+        }
+        let font = self.host.font(path, self.host.read(path)?);
+        self.binaries.fonts.insert(path.to_owned(), Arc::clone(&font));
+        Ok(font)
     }
 }
 

@@ -7,9 +7,9 @@ use super::pattern::no_list;
 use crate::diag::{Diagnostic, SourceResult, Span};
 use crate::eval::macros::arguments_in_words;
 use crate::eval::{Evaluator, Place, Value};
-use crate::function::{Binary, Callable, Function, FunctionBody, Internal, Program, ProgramBuilder, Slot, Unary};
+use crate::function::{Binary, FunctionBody, Internal, ProgramBuilder, Slot, Unary};
 use crate::math::noise::NoiseGenerator;
-use crate::scene::{Pattern, PatternKind, Pigment};
+use crate::scene::{Function, Pattern, PatternKind, Pigment, PointFunction, PointSource};
 use crate::syntax::{Keyword as K, Symbol, TokenKind};
 use smallvec::{SmallVec, smallvec};
 use std::rc::Rc;
@@ -21,7 +21,7 @@ const MAX_PARAMETERS: usize = 56;
 /// Names that a body may use, innermost last.
 #[derive(Default)]
 struct Body {
-    builder: ProgramBuilder,
+    builder: ProgramBuilder<PointFunction>,
     names: Vec<(Rc<str>, u32)>,
     /// How many indices of enclosing `sum`s and `prod`s come after the function's parameters.
     n_arguments: u32,
@@ -101,9 +101,8 @@ impl Evaluator<'_> {
         let span = self.span();
         let (n_parameters, body) = match keyword {
             K::Pigment => {
-                let pigment = Arc::new(self.pigment_block(Pigment::default())?);
-                let made = self.queries.pigment_function(&pigment, &self.scene.settings);
-                (3, FunctionBody::External(self.made_callable(made, span)?))
+                let pigment = self.pigment_block(Pigment::default())?;
+                (3, FunctionBody::External(self.point_function(PointSource::Pigment(pigment), span)?))
             }
             K::Pattern => {
                 self.open("pattern")?;
@@ -115,11 +114,10 @@ impl Evaluator<'_> {
                     self.comma()?;
                 }
                 self.close("pattern")?;
-                let made = self.queries.pattern_function(&Arc::new(pattern), &self.scene.settings);
-                (3, FunctionBody::External(self.made_callable(made, span)?))
+                (3, FunctionBody::External(self.point_function(PointSource::Pattern(pattern), span)?))
             }
             K::Transform => (3, FunctionBody::Transform(self.transform_block()?)),
-            K::Spline => (1, FunctionBody::External(self.spline_block()?)),
+            K::Spline => (1, FunctionBody::Spline(self.spline_block()?)),
             _ => {
                 self.expect_punct('(', "before the number of an internal function")?;
                 let number = self.float()?;
@@ -135,16 +133,15 @@ impl Evaluator<'_> {
         Ok(Function { n_parameters, body })
     }
 
-    /// What was made of a pigment or pattern; what is wrong with it stands at `span` at least.
-    fn made_callable(
-        &self,
-        made: Result<Arc<dyn Callable>, Diagnostic>,
-        span: Span,
-    ) -> SourceResult<Arc<dyn Callable>> {
-        made.map_err(|wrong| {
+    /// A function of a pigment or pattern, with the settings of here; what is wrong with it stands at `span` at least.
+    fn point_function(&self, source: PointSource, span: Span) -> SourceResult<Arc<PointFunction>> {
+        let settings = Arc::new(self.scene.settings.clone());
+        let function = Arc::new(PointFunction { source, settings });
+        self.queries.check(&function).map_err(|wrong| {
             let span = wrong.span.or(Some(span));
             vec![self.with_trace(Diagnostic { span, ..wrong })]
-        })
+        })?;
+        Ok(function)
     }
 
     fn expression_body(&mut self, names: &[Rc<str>]) -> SourceResult<Function> {
@@ -291,7 +288,7 @@ impl Evaluator<'_> {
         }
         let function = |v: &Value| match v {
             Value::Function(f) => Some(f.clone()),
-            Value::Spline(s) => Some(Arc::new(Function { n_parameters: 1, body: FunctionBody::External(s.clone()) })),
+            Value::Spline(s) => Some(Arc::new(Function { n_parameters: 1, body: FunctionBody::Spline(s.clone()) })),
             _ => None,
         };
         if let Some(function) = self.take_declared(function)? {
@@ -436,7 +433,7 @@ impl Evaluator<'_> {
         let result = self.function_or(&mut inner)?;
         self.expect_punct(')', "to close it")?;
         let arguments = (0..index).map(|i| body.builder.argument(i)).collect();
-        let program: Program = inner.builder.finish(result);
+        let program = inner.builder.finish(result);
         Ok(body.builder.fold(product, from, to, program, arguments))
     }
 

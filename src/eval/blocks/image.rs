@@ -119,15 +119,15 @@ impl Evaluator<'_> {
         }
     }
 
-    /// The bytes of a picture, read once for all statements that name it.
+    /// The bytes of a picture.
     fn picture_file(&mut self, path: PathBuf, format: ImageFormat, span: Span) -> SourceResult<Arc<Encoded>> {
         let key = (path, format);
-        if let Some(known) = self.pictures.get(&key) {
+        if let Some(known) = self.binaries.pictures.get(&key) {
             return Ok(Arc::clone(known));
         }
         let bytes = self.bytes_of(&key.0, span)?;
         let file = self.host.picture(Encoded::new(key.0.clone(), format.decoder(), bytes));
-        self.pictures.insert(key, Arc::clone(&file));
+        self.binaries.pictures.insert(key, Arc::clone(&file));
         Ok(file)
     }
 

@@ -2,9 +2,8 @@
 
 use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
-use crate::function::Function;
 use crate::math::{DVec3, DVec4};
-use crate::scene::{Container, Isosurface, JuliaFractal, JuliaFunction, Parametric, Shape};
+use crate::scene::{Container, Function, Isosurface, JuliaFractal, JuliaFunction, Parametric, Shape};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 

@@ -2,10 +2,11 @@
 
 use super::{check, inside, moved, object, v};
 use crate::diag::Span;
-use crate::function::{Callable, Function, FunctionBody};
+use crate::function::{Binary, FunctionBody, ProgramBuilder};
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::{
-    BicubicPatch, Blob, BlobComponent, Gamma, HeightField, Image, ImageSource, Object, Prism, Shape, SweepSpline,
+    BicubicPatch, Blob, BlobComponent, Function, Gamma, HeightField, Image, ImageSource, Object, Prism, Shape,
+    SweepSpline,
 };
 use std::sync::Arc;
 
@@ -127,21 +128,16 @@ fn patches() {
 }
 
 /// x half, as a height function.
-#[derive(Debug)]
-struct HalfX;
-
-impl Callable for HalfX {
-    fn width(&self) -> usize {
-        1
-    }
-    fn call(&self, args: &[f64]) -> [f64; 5] {
-        [0.5 * args[0], 0.0, 0.0, 0.0, 0.0]
-    }
+fn half_x() -> Function {
+    let mut b = ProgramBuilder::default();
+    let (x, half) = (b.argument(0), b.constant(0.5));
+    let result = b.binary(Binary::Mul, x, half);
+    Function { n_parameters: 3, body: FunctionBody::Program(b.finish(result)) }
 }
 
 #[test]
 fn height_fields() {
-    let function = Arc::new(Function { n_parameters: 3, body: FunctionBody::External(Arc::new(HalfX)) });
+    let function = Arc::new(half_x());
     let source = ImageSource::Function { width: 5, height: 5, function };
     let image = Image { span: Span::default(), source, gamma: None, premultiplied: None, mode: Gamma::None };
     let field = object(Shape::HeightField(Arc::new(HeightField { image, water_level: 0.0, smooth: false })));

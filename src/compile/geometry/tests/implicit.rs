@@ -3,13 +3,16 @@
 use super::{check, inside, moved, object, v};
 use crate::compile::geometry::compile_object;
 use crate::compiled::geometry::{RayKind, Scratch, Shadow};
-use crate::function::{Binary as B, Function, FunctionBody, ProgramBuilder, Slot, Unary as U};
+use crate::function::{Binary as B, FunctionBody, ProgramBuilder, Slot, Unary as U};
 use crate::math::{DVec2, DVec3, DVec4, Range, Ray, Transform};
-use crate::scene::{Container, Isosurface, IsosurfaceSearch, JuliaFractal, JuliaFunction, Object, Parametric, Shape};
+use crate::scene::{
+    Container, Function, Isosurface, IsosurfaceSearch, JuliaFractal, JuliaFunction, Object, Parametric, PointFunction,
+    Shape,
+};
 use std::sync::Arc;
 
 /// A function of x, y and z.
-fn function(body: impl Fn(&mut ProgramBuilder, [Slot; 3]) -> Slot) -> Arc<Function> {
+fn function(body: impl Fn(&mut ProgramBuilder<PointFunction>, [Slot; 3]) -> Slot) -> Arc<Function> {
     let mut b = ProgramBuilder::default();
     let xyz = [0, 1, 2].map(|i| b.argument(i));
     let result = body(&mut b, xyz);
@@ -122,7 +125,7 @@ fn parametric_surfaces() {
             precompute: None,
         })))
     };
-    let scaled = |b: &mut ProgramBuilder, factor: Slot, of: Slot| {
+    let scaled = |b: &mut ProgramBuilder<PointFunction>, factor: Slot, of: Slot| {
         let size = b.constant(0.6);
         let product = b.binary(B::Mul, size, factor);
         b.binary(B::Mul, product, of)

@@ -11,7 +11,7 @@ pub(crate) enum Container {
 
 impl Container {
     /// The box around it.
-    pub(super) fn bounds(&self) -> Bounds {
+    pub(crate) fn bounds(&self) -> Bounds {
         match self {
             Self::Box(bounds) => *bounds,
             Self::Sphere { center, radius } => {

@@ -11,7 +11,8 @@ pub(crate) use notes::SearchNotes;
 
 use super::container::Container;
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
-use crate::function::{Function, Slots};
+use crate::compiled::Function;
+use crate::function::Slots;
 use crate::math::{Bounds, DVec3, Range, Ray, gamma};
 use search::Search;
 use std::sync::Arc;

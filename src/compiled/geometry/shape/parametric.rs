@@ -6,7 +6,8 @@
 
 use super::container::Container;
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
-use crate::function::{Function, FunctionBody, Slots};
+use crate::compiled::Function;
+use crate::function::{FunctionBody, Slots};
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Uv, gamma};
 use std::sync::Arc;
 

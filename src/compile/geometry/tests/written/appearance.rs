@@ -2,7 +2,7 @@
 
 use super::super::host;
 use super::same;
-use crate::compile::Queries;
+use crate::compile::{Functions, Queries};
 use crate::compiled::geometry::{RayKind, Scratch, Surface};
 use crate::eval::{Options, evaluate};
 use crate::math::{DVec2, DVec3, Range, Ray};
@@ -12,7 +12,7 @@ pub(super) fn met<T>(scene: &str, origin: [f64; 3], direction: [f64; 3], of: imp
     let text = format!("#version 3.7; {scene}");
     let read = evaluate("a.pov".as_ref(), &Options::default(), &host(&text), &Queries::default());
     let read = read.unwrap_or_else(|failed| panic!("{:?}\n{text}", failed.diagnostics));
-    let geometry = crate::compile::geometry::compile(&read.scene).unwrap().geometry;
+    let geometry = crate::compile::geometry::compile(&read.scene, &Functions::default()).unwrap().geometry;
     let ray = Ray::new(DVec3::from(origin), DVec3::from(direction).normalize());
     let hit = geometry.intersect(&ray, Range::FORWARD, RayKind::Camera, &mut Scratch::default());
     of(&geometry.surface(&ray, &hit.unwrap_or_else(|| panic!("nothing hit: {scene}"))))

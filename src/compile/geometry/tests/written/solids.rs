@@ -1,7 +1,7 @@
 //! What is seen of solids: of faces in one place, of parts inside of each other.
 
 use super::appearance::met;
-use crate::compile::Queries;
+use crate::compile::{Functions, Queries};
 use crate::compiled::geometry::{RayKind, Scratch, Shadow};
 use crate::eval::{Options, evaluate};
 use crate::math::{DVec3, MersenneTwister, Range, Ray};
@@ -74,7 +74,7 @@ fn the_skin_of_a_merge_is_found_from_both_sides() {
         let text = format!("#version 3.7; merge {{ {text} }}");
         let read = evaluate("a.pov".as_ref(), &Options::default(), &super::super::host(&text), &Queries::default());
         let read = read.unwrap_or_else(|failed| panic!("{:?}", failed.diagnostics));
-        let geometry = crate::compile::geometry::compile(&read.scene).unwrap().geometry;
+        let geometry = crate::compile::geometry::compile(&read.scene, &Functions::default()).unwrap().geometry;
         let scratch = &mut Scratch::default();
         for i in 0..2_000 {
             let mut vector = || DVec3::new(random(), random(), random());
