@@ -5,6 +5,7 @@
 
 use super::antialias::Base;
 use super::film::{Block, Detail, Film, Gather, encoded};
+use super::image_layer::ImageLayer;
 use super::observer::{FinishedBlock, Observer};
 use super::options::Options;
 use super::prepare::Prepared;
@@ -40,8 +41,9 @@ pub fn render(world: &World, options: &Options, observer: &dyn Observer) -> Rend
         return render_film::<Radiance>(&work).0;
     }
     let (mut rendered, film) = render_film::<Detail>(&work);
-    let layers = options.layers.iter().flat_map(|layer| layer.build(world, film.pixels()));
-    rendered.picture.layers.extend(layers);
+    // Where samples went is told already if there was a target.
+    let layers = options.layers.iter().filter(|layer| options.target.is_none() || **layer != ImageLayer::Samples);
+    rendered.picture.layers.extend(layers.flat_map(|layer| layer.build(world, film.pixels())));
     rendered
 }
 
