@@ -194,11 +194,11 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let mut outcome = match result {
         Ok(outcome) => outcome,
         Err(failed) => {
-            arguments.scene.messages.show(&failed.diagnostics, &failed.sources);
+            arguments.scene.how.messages.show(&failed.diagnostics, &failed.sources);
             return ExitCode::from(ERROR);
         }
     };
-    arguments.scene.messages.show(&outcome.warnings, &outcome.sources);
+    arguments.scene.how.messages.show(&outcome.warnings, &outcome.sources);
     if let Err(error) = session.write(&mut outcome, &job.outputs) {
         return fail(error);
     }

@@ -2,7 +2,7 @@
 
 use super::include_dirs;
 use super::messages::Manner;
-use crate::eval::{self, Disk, Limits, Reach};
+use crate::eval::{self, Disk, Limits, Overrides, Reach};
 use crate::scene::IsosurfaceSearch;
 use std::path::{Path, PathBuf};
 
@@ -11,6 +11,13 @@ use std::path::{Path, PathBuf};
 pub(super) struct SceneArguments {
     /// POV-Ray scene file
     pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) how: Reading,
+}
+
+/// How scenes are read.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct Reading {
     /// Folder to search for include files and pictures, before those of an installed POV-Ray
     #[arg(long, short = 'I', value_name = "DIR")]
     include: Vec<PathBuf>,
@@ -38,6 +45,10 @@ pub(super) struct SceneArguments {
     /// parts, array_elements or string_bytes
     #[arg(long, value_name = "NAME=N", value_parser = limit)]
     limit: Vec<(String, u64)>,
+    /// Set in the scene's place: max_trace_level, adc_bailout, or a factor of area_light_grid (samples along each
+    /// axis) or isosurface_accuracy
+    #[arg(long, value_name = "NAME=VALUE", value_parser = overriding)]
+    r#override: Vec<(String, f64)>,
     /// How isosurfaces are looked for: `guaranteed` finds all of the surface where its function can be
     /// bounded; `povray` believes max_gradient and may leave holes
     #[arg(long, value_enum, default_value = "guaranteed", value_name = "HOW")]
@@ -50,7 +61,7 @@ pub(super) struct SceneArguments {
 }
 
 /// As typed.
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Search {
     Guaranteed,
     Povray,
@@ -77,11 +88,31 @@ fn limit(text: &str) -> Result<(String, u64), String> {
     Ok((name.to_owned(), value.parse().map_err(|_| format!("'{value}' is not a whole number"))?))
 }
 
+fn overriding(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = declaration(text)?;
+    if !Overrides::NAMES.contains(&name.as_str()) {
+        return Err(format!("there is no override '{name}', only {}", Overrides::NAMES.join(", ")));
+    }
+    if Overrides::default().set(&name, value) { Ok((name, value)) } else { Err("makes no sense".into()) }
+}
+
 impl SceneArguments {
     /// What reading the scene needs to know.
     pub(super) fn reading(&self, width: usize, height: usize) -> eval::Options {
+        self.how.options(&self.scene, width, height)
+    }
+
+    /// The file system as the scene may see it.
+    pub(super) fn host(&self) -> Disk {
+        self.how.host(&self.scene)
+    }
+}
+
+impl Reading {
+    /// What reading a scene needs to know.
+    pub(super) fn options(&self, scene: &Path, width: usize, height: usize) -> eval::Options {
         let mut options = eval::Options {
-            include_dirs: self.folders(),
+            include_dirs: self.folders(scene),
             version: self.language_version,
             declarations: self.declare.clone(),
             clock: self.clock,
@@ -98,13 +129,16 @@ impl SceneArguments {
         for (name, value) in &self.limit {
             options.limits.set(name, *value);
         }
+        for (name, value) in &self.r#override {
+            options.overrides.set(name, *value);
+        }
         options
     }
 
     /// The file system as the scene may see it.
-    pub(super) fn host(&self) -> Disk {
+    pub(super) fn host(&self, scene: &Path) -> Disk {
         let reach = Reach {
-            scene: self.scene.clone(),
+            scene: scene.to_owned(),
             include: include_dirs::search_path(&self.include, self.embedded_includes),
             read: self.allow_read.clone(),
             write: self.allow_write.clone(),
@@ -115,9 +149,9 @@ impl SceneArguments {
     }
 
     /// The scene's own folder is searched, too, which POV-Ray leaves out.
-    fn folders(&self) -> Vec<PathBuf> {
+    fn folders(&self, scene: &Path) -> Vec<PathBuf> {
         let mut folders = include_dirs::search_path(&self.include, self.embedded_includes);
-        let beside = self.scene.parent().filter(|p| !p.as_os_str().is_empty());
+        let beside = scene.parent().filter(|p| !p.as_os_str().is_empty());
         folders.extend(beside.map(Path::to_owned));
         folders
     }

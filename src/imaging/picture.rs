@@ -41,6 +41,8 @@ pub struct Metadata {
     pub camera: String,
     /// Rays shot, shadow rays included.
     pub rays: u64,
+    /// Further figures of what was done, under names as `whitted:cameraRays`.
+    pub figures: Vec<(String, f64)>,
 }
 
 impl Picture {

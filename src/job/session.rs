@@ -84,6 +84,7 @@ impl Session {
             scene: job.scene.display().to_string(),
             camera: describe(&world.camera),
             rays: rendered.statistics.rays(),
+            figures: rays_by_kind(&rendered.statistics),
         };
         let Rendered { picture, complete, .. } = rendered;
         Ok(Outcome { picture, metadata, complete, warnings, sources, timings })
@@ -99,6 +100,17 @@ impl Session {
             outputs.iter().try_for_each(|output| imaging::save(&output.file, picture, metadata, output.encoding))
         })
     }
+}
+
+/// As a file's header names them.
+fn rays_by_kind(rays: &Statistics) -> Vec<(String, f64)> {
+    let kinds = [
+        ("camera", rays.camera_rays),
+        ("transmitted", rays.transmitted_rays),
+        ("reflected", rays.reflected_rays),
+        ("shadow", rays.shadow_rays),
+    ];
+    kinds.map(|(kind, n)| (format!("whitted:{kind}Rays"), n as f64)).into()
 }
 
 fn describe(camera: &Camera) -> String {
