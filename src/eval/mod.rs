@@ -60,6 +60,7 @@ mod probes;
 pub use disk::{Disk, Reach};
 pub use host::{Host, Kept, Memory, NoQueries, Status, Stream};
 pub use options::{Limits, Options, Overrides};
+pub use printf::date_time;
 pub use standard_includes::{standard_include, standard_include_names};
 pub use value::{Array, Macro, Number, Value};
 

@@ -7,9 +7,9 @@
 use super::exr_blocks::{self, Channel, Samples};
 use super::{ImageError, Layer, Metadata, Picture};
 use exr::block::writer::ChunksWriter as _;
-use exr::meta::{BlockDescription, MetaData};
 use exr::meta::attribute::{ChannelDescription, LineOrder, SampleType};
 use exr::meta::header::{Header, ImageAttributes};
+use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::{Compression, IntegerBounds, LayerAttributes, Text, Vec2, attribute::AttributeValue};
 use exr::prelude::{ReadChannels, ReadLayers};
 use half::vec::HalfFloatVecExt as _;

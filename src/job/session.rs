@@ -9,7 +9,7 @@ use crate::compiled::camera::Camera;
 use crate::eval::{self, Evaluated, Failed, Host};
 use crate::imaging::{self, ImageError, Metadata};
 use crate::math::DVec3;
-use crate::render::{self, Observer, Options, Rendered};
+use crate::render::{self, Observer, Options, Rendered, Statistics};
 use rayon::ThreadPool;
 use std::path::Path;
 
