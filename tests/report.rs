@@ -41,8 +41,10 @@ fn figures_stand_in_all_three_files() {
     let (plain, grid) = (errors("no antialiasing"), errors("method 1"));
     assert!(grid.last() < grid.first() && grid.first() < plain.first(), "{plain:?} {grid:?}");
     assert!(rungs[0]["reference_rmse"].as_f64() < grid.last().copied(), "{rungs:?}");
-    let levels = errors("max_trace_level");
-    assert!(levels.first() > levels.last(), "{levels:?}");
+    for limit in ["max_trace_level", "adc_bailout", "area_light_grid", "isosurface_accuracy"] {
+        let errors = errors(limit);
+        assert!(errors.first() > errors.last(), "{limit}: {errors:?}");
+    }
     assert!(json["scenes"][1]["failure"].is_string() && json["scenes"][1]["reference"].is_null(), "{json}");
     let lines = std::fs::read_to_string(output.join("report.csv")).unwrap().lines().count();
     assert_eq!(lines, 1 + rungs.len());

@@ -46,7 +46,7 @@ pub(super) struct Mark {
 
 const WIDTH: f64 = 520.0;
 const HEIGHT: f64 = 380.0;
-const LEFT: f64 = 66.0;
+const LEFT: f64 = 78.0;
 const RIGHT: f64 = 14.0;
 const TOP: f64 = 12.0;
 const BOTTOM: f64 = 52.0;
