@@ -2,7 +2,7 @@
 //!
 //! A [`Plan`] names scenes; each has [ladders](ladder) of ways to make its picture, coarse to fine. [`make`] climbs them:
 //! every rung is a child process of its own, several times, in turn, and its picture is held against a
-//! [reference](reference::Reference) far finer than any rung. [`write`] lays it down as a page that can be read by itself,
+//! [reference](reference::Reference) far finer than any rung. [`write()`] lays it down as a page that can be read by itself,
 //! and as tables for programs.
 //!
 //! Errors are root mean squares over all pixels and the three channels of the differences of unclamped linear light, as
