@@ -9,7 +9,8 @@
 //! 4. [`compiled`]: what rays meet, in the field's words; [`compile`] makes it, and refuses what is wrong.
 //! 5. [`render`]: from camera rays to pixels; cannot fail.
 //! 6. [`job`]: one configuration, a session that owns what pictures share, an observer.
-//! 7. [`cli`]: arguments to a job; the only part that prints.
+//! 7. [`report`]: error against run time: pictures made over and over, by this program and by others.
+//! 8. [`cli`]: arguments to a job; the only part that prints.
 //!
 //! ```
 //! use whitted::eval::Memory;
@@ -34,6 +35,7 @@ pub mod imaging;
 pub mod job;
 pub mod math;
 pub mod render;
+pub mod report;
 pub mod scene;
 mod stack;
 pub mod syntax;

@@ -4,8 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// From the first to the last: a module knows those before it, never those behind it.
-const ORDER: [&str; 12] =
-    ["math", "diag", "imaging", "function", "syntax", "scene", "eval", "compiled", "compile", "render", "job", "cli"];
+const ORDER: [&str; 13] = [
+    "math", "diag", "imaging", "function", "syntax", "scene", "eval", "compiled", "compile", "render", "job", "report",
+    "cli",
+];
 
 /// Files of code that is not only for tests, with their text up to the tests, comments left out.
 fn sources(folder: &Path) -> Vec<(PathBuf, String)> {

@@ -18,14 +18,14 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let (width, height) = super::render::DEFAULT_SIZE;
     match Session::new(0).compile(&scene.scene, &scene.reading(width, height), &scene.host()) {
         Ok(Ready { warnings, sources, .. }) => {
-            scene.messages.show(&warnings, &sources);
-            let wanted = scene.messages.wanted(&warnings);
+            scene.how.messages.show(&warnings, &sources);
+            let wanted = scene.how.messages.wanted(&warnings);
             let found = messages::count(&wanted).unwrap_or_else(|| "no complaints".into());
-            scene.messages.remark(format_args!("{}: {found}", scene.scene.display()));
+            scene.how.messages.remark(format_args!("{}: {found}", scene.scene.display()));
             ExitCode::SUCCESS
         }
         Err(failed) => {
-            scene.messages.show(&failed.diagnostics, &failed.sources);
+            scene.how.messages.show(&failed.diagnostics, &failed.sources);
             ExitCode::from(ERROR)
         }
     }

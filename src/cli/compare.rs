@@ -62,7 +62,8 @@ fn table(difference: &Difference) -> String {
     let percent = difference.within.map(|w| 100.0 * w);
     format!(
         "verdict        {:?}\nmean           {:.4} of 255 (sRGB)\nRMSE           {:.6} (linear)\nrelative RMSE  {:.6}\n\
-         within 2       {:.3} %\nwithin 8       {:.3} %\nwithin 24      {:.3} %\nFLIP           {:.5}\n",
+         within 2       {:.3} %\nwithin 8       {:.3} %\nwithin 24      {:.3} %\nFLIP           {:.5}\n\
+         worst pixel    {:.6} (linear) at {},{}\n",
         difference.verdict(),
         difference.mean_display,
         difference.rmse,
@@ -70,6 +71,9 @@ fn table(difference: &Difference) -> String {
         percent[0],
         percent[1],
         percent[2],
-        difference.flip
+        difference.flip,
+        difference.worst.error,
+        difference.worst.x,
+        difference.worst.y
     )
 }

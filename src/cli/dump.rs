@@ -65,7 +65,7 @@ fn scene(arguments: &Arguments) -> Result<String, ExitCode> {
     let scene = &arguments.scene;
     let (width, height) = super::render::DEFAULT_SIZE;
     let show = |diagnostics: &[_], sources: &_| {
-        scene.messages.show(diagnostics, sources);
+        scene.how.messages.show(diagnostics, sources);
         ExitCode::from(ERROR)
     };
     let read = eval::evaluate(&scene.scene, &scene.reading(width, height), &scene.host(), &Queries::default())

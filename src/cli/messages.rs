@@ -12,7 +12,7 @@ pub(super) fn line(message: impl Display) {
 }
 
 /// How messages about a scene are shown.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 pub(super) struct Manner {
     /// Messages for people, or as one JSON object a line for editors
     #[arg(long, value_enum, default_value_t = Format::Text)]

@@ -9,6 +9,7 @@ mod dump;
 mod include_dirs;
 mod messages;
 mod render;
+mod report;
 mod scene_arguments;
 
 use clap::{Parser, Subcommand};
@@ -37,6 +38,8 @@ enum Command {
     Dump(dump::Arguments),
     /// Tell how much two EXR pictures differ
     Compare(compare::Arguments),
+    /// Measure error against run time on ladders of settings, and show it on a page
+    Report(report::Arguments),
 }
 
 /// Runs the program with the process's own arguments.
@@ -57,6 +60,7 @@ pub fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Dump(arguments) => dump::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
     }
 }
 
@@ -124,5 +128,10 @@ mod tests {
         check("whitted check a.pov --no-warn rnage", false);
         check("whitted dump a.pov --stage tokens", true);
         check("whitted dump a.pov --stage rays", false);
+        check("whitted report a.pov b.pov --against povray --runs 5 -t 2 -W 320 -H 240 -o out -I x", true);
+        check("whitted report a.pov --reference a.exr --override max_trace_level=9 -o out", true);
+        check("whitted report a.pov --override max_trace=9 -o out", false);
+        check("whitted report a.pov", false);
+        check("whitted report a.pov --against blender -o out", false);
     }
 }

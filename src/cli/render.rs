@@ -138,7 +138,7 @@ fn region(text: &str) -> Result<Region, String> {
     Ok(Region { left, top, right, bottom })
 }
 
-fn size(text: &str) -> Result<usize, String> {
+pub(super) fn size(text: &str) -> Result<usize, String> {
     // POV-Ray takes fractional sizes from some exporters and cuts them.
     let size = text.parse::<f64>().map_err(|_| "expected a number of pixels")?.trunc();
     if (1.0..=65_536.0).contains(&size) { Ok(size as usize) } else { Err("must be 1 to 65536".into()) }
@@ -234,17 +234,17 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         outputs: std::iter::once(output).chain(preview).map(|file| Output { file, encoding }).collect(),
     };
     let session = Session::new(arguments.threads);
-    let bar = Bar(progress_bar());
+    let bar = Bar(progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left"));
     let result = session.render(&job, &arguments.scene.host(), &bar);
     bar.0.finish_and_clear();
     let mut outcome = match result {
         Ok(outcome) => outcome,
         Err(failed) => {
-            arguments.scene.messages.show(&failed.diagnostics, &failed.sources);
+            arguments.scene.how.messages.show(&failed.diagnostics, &failed.sources);
             return ExitCode::from(ERROR);
         }
     };
-    arguments.scene.messages.show(&outcome.warnings, &outcome.sources);
+    arguments.scene.how.messages.show(&outcome.warnings, &outcome.sources);
     if let Err(error) = session.write(&mut outcome, &job.outputs) {
         return fail(error);
     }
@@ -296,11 +296,11 @@ impl Observer for Bar {
 }
 
 /// Drawn only on a terminal.
-fn progress_bar() -> ProgressBar {
+pub(super) fn progress_bar(template: &str) -> ProgressBar {
     let target =
         if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
     let bar = ProgressBar::with_draw_target(Some(1), target);
-    match ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left") {
+    match ProgressStyle::with_template(template) {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }

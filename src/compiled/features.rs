@@ -33,6 +33,8 @@ pub struct Features {
     pub fading_lights: usize,
     /// Lights that shine through one object only.
     pub projected_lights: usize,
+    /// Surfaces that are searched for along rays.
+    pub isosurfaces: usize,
 }
 
 impl Features {
@@ -57,6 +59,7 @@ impl Features {
             beamed_lights: lights(|light| light.beam != Beam::Even),
             fading_lights: lights(|light| light.fade.is_some()),
             projected_lights: lights(|light| light.projected_through.is_some()),
+            isosurfaces: world.geometry.isosurfaces(),
         }
     }
 
@@ -66,7 +69,7 @@ impl Features {
     }
 
     /// Their names and counts, in a fixed order.
-    pub fn summary(&self) -> [(&'static str, usize); 12] {
+    pub fn summary(&self) -> [(&'static str, usize); 13] {
         [
             ("see-through textures", self.see_through_textures),
             ("patterned textures", self.patterned_textures),
@@ -80,6 +83,7 @@ impl Features {
             ("beamed lights", self.beamed_lights),
             ("fading lights", self.fading_lights),
             ("projected lights", self.projected_lights),
+            ("isosurfaces", self.isosurfaces),
         ]
     }
 }

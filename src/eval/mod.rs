@@ -59,7 +59,8 @@ mod probes;
 
 pub use disk::{Disk, Reach};
 pub use host::{Host, Kept, Memory, NoQueries, Status, Stream};
-pub use options::{Limits, Options};
+pub use options::{Limits, Options, Overrides};
+pub use printf::date_time;
 pub use standard_includes::{standard_include, standard_include_names};
 pub use value::{Array, Macro, Number, Value};
 
@@ -267,7 +268,10 @@ impl<'h> Evaluator<'h> {
 
     /// What holds for the scene as a whole once all of it is read.
     fn finish(&mut self) {
-        self.scene.settings.max_parts = self.options.limits.parts;
+        let (settings, overrides) = (&mut self.scene.settings, &self.options.overrides);
+        settings.max_parts = self.options.limits.parts;
+        settings.max_trace_level = overrides.max_trace_level.unwrap_or(settings.max_trace_level);
+        settings.adc_bailout = overrides.adc_bailout.unwrap_or(settings.adc_bailout);
         let version = self.effective_version();
         self.scene.settings.version = version;
         if !self.version_given && self.options.version.is_none() {

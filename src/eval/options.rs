@@ -26,6 +26,8 @@ pub struct Options {
     pub now: f64,
     /// How isosurfaces are looked for.
     pub isosurface_search: IsosurfaceSearch,
+    /// What holds instead of what the scene says.
+    pub overrides: Overrides,
     /// Bounds on what a scene may use up.
     pub limits: Limits,
 }
@@ -43,8 +45,51 @@ impl Default for Options {
             image_height: 240,
             now: 0.0,
             isosurface_search: IsosurfaceSearch::default(),
+            overrides: Overrides::default(),
             limits: Limits::default(),
         }
+    }
+}
+
+/// What a caller sets in a scene's place, to see what the scene's own choice costs and spoils.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overrides {
+    /// `max_trace_level` of `global_settings`.
+    pub max_trace_level: Option<u32>,
+    /// `adc_bailout` of `global_settings`.
+    pub adc_bailout: Option<f64>,
+    /// Factor of the samples along each axis of area lights; an axis of one sample stays as it is.
+    pub area_light_grid: f64,
+    /// Factor of the `accuracy` of isosurfaces.
+    pub isosurface_accuracy: f64,
+}
+
+impl Overrides {
+    /// Their names, as the command line calls them.
+    pub const NAMES: [&str; 4] = ["max_trace_level", "adc_bailout", "area_light_grid", "isosurface_accuracy"];
+
+    /// Sets one by its name; false for a name that does not exist and for a value that makes no sense there.
+    pub fn set(&mut self, name: &str, value: f64) -> bool {
+        let positive = value.is_finite() && value > 0.0;
+        match name {
+            "max_trace_level" if (1.0..=256.0).contains(&value) => self.max_trace_level = Some(value as u32),
+            "adc_bailout" if value.is_finite() && value >= 0.0 => self.adc_bailout = Some(value),
+            "area_light_grid" if positive => self.area_light_grid = value,
+            "isosurface_accuracy" if positive => self.isosurface_accuracy = value,
+            _ => return false,
+        }
+        true
+    }
+
+    /// Samples of an area light along an axis; a row stays a row.
+    pub(super) fn area_samples(&self, given: u32) -> u32 {
+        if given < 2 { given } else { (f64::from(given) * self.area_light_grid).round().clamp(2.0, 4096.0) as u32 }
+    }
+}
+
+impl Default for Overrides {
+    fn default() -> Self {
+        Self { max_trace_level: None, adc_bailout: None, area_light_grid: 1.0, isosurface_accuracy: 1.0 }
     }
 }
 
@@ -126,7 +171,28 @@ impl Default for Limits {
 
 #[cfg(test)]
 mod tests {
-    use super::Limits;
+    use super::{Limits, Overrides};
+
+    #[test]
+    fn every_override_can_be_set_by_name() {
+        let changed = Overrides::NAMES.map(|name| {
+            let mut overrides = Overrides::default();
+            assert!(overrides.set(name, 3.0) && !overrides.set(name, f64::NAN), "{name}");
+            overrides
+        });
+        for (i, overrides) in changed.iter().enumerate() {
+            assert!(*overrides != Overrides::default() && !changed[..i].contains(overrides), "{}", Overrides::NAMES[i]);
+        }
+        assert!(!Overrides::default().set("max_trace", 3.0) && !Overrides::default().set("max_trace_level", 0.0));
+    }
+
+    #[test]
+    fn grids_keep_their_dimensions() {
+        let with = |area_light_grid| Overrides { area_light_grid, ..Overrides::default() };
+        assert_eq!([1, 2, 5].map(|n| with(2.0).area_samples(n)), [1, 4, 10]);
+        assert_eq!([1, 2, 5].map(|n| with(0.2).area_samples(n)), [1, 2, 2]);
+        assert_eq!([1, 2, 5].map(|n| with(1.0).area_samples(n)), [1, 2, 5]);
+    }
 
     #[test]
     fn every_limit_can_be_set_by_name() {

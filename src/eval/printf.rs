@@ -49,7 +49,7 @@ fn special(value: f64) -> String {
 }
 
 /// `strftime` for a time in days since 2000-01-01 UTC; letters it does not know stay as they are.
-pub(super) fn date_time(days: f64, format: &str) -> String {
+pub fn date_time(days: f64, format: &str) -> String {
     const WEEKDAYS: [&str; 7] = ["Saturday", "Sunday", "Monday", "Tuesday", "Wednesday", "Thursday", "Friday"];
     const MONTHS: [&str; 12] = [
         "January",

@@ -7,9 +7,9 @@
 use super::exr_blocks::{self, Channel, Samples};
 use super::{ImageError, Layer, Metadata, Picture};
 use exr::block::writer::ChunksWriter as _;
-use exr::meta::BlockDescription;
 use exr::meta::attribute::{ChannelDescription, LineOrder, SampleType};
 use exr::meta::header::{Header, ImageAttributes};
+use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::{Compression, IntegerBounds, LayerAttributes, Text, Vec2, attribute::AttributeValue};
 use exr::prelude::{ReadChannels, ReadLayers};
 use half::vec::HalfFloatVecExt as _;
@@ -110,7 +110,7 @@ fn attributes(picture: &Picture, metadata: &Metadata) -> LayerAttributes {
         attributes.other.insert(Text::from("rays"), AttributeValue::F64(metadata.rays as f64));
     }
     for (name, value) in &metadata.figures {
-        attributes.other.insert(Text::from(*name), AttributeValue::F64(*value));
+        attributes.other.insert(Text::from(name.as_str()), AttributeValue::F64(*value));
     }
     for (name, value) in &metadata.notes {
         attributes.other.insert(Text::from(*name), AttributeValue::Text(Text::from(value.as_str())));
@@ -127,6 +127,25 @@ fn attributes(picture: &Picture, metadata: &Metadata) -> LayerAttributes {
 pub fn read_exr(path: &Path) -> Result<Picture, ImageError> {
     let bytes = std::fs::read(path).map_err(|e| ImageError::Io(path.to_owned(), e))?;
     decode_exr(path, &bytes)
+}
+
+/// The numbers in the header of an EXR file's first part that the format itself does not know, by name.
+///
+/// # Errors
+/// [`ImageError`] when the file cannot be read or is damaged.
+pub fn read_exr_figures(path: &Path) -> Result<Vec<(String, f64)>, ImageError> {
+    let file = std::fs::File::open(path).map_err(|e| ImageError::Io(path.to_owned(), e))?;
+    let meta = MetaData::read_from_buffered(std::io::BufReader::new(file), false).map_err(|e| invalid(path, &e))?;
+    let others = meta.headers.into_iter().take(1).flat_map(|header| header.own_attributes.other);
+    let mut figures: Vec<(String, f64)> = others
+        .filter_map(|(name, value)| match value {
+            AttributeValue::F64(number) => Some((name.to_string(), number)),
+            AttributeValue::F32(number) => Some((name.to_string(), f64::from(number))),
+            _ => None,
+        })
+        .collect();
+    figures.sort_by(|a, b| a.0.cmp(&b.0));
+    Ok(figures)
 }
 
 /// Decodes the bytes of an EXR file as [`read_exr`] does; `path` is what errors call it.
@@ -213,6 +232,18 @@ mod tests {
             check(size, false, false);
             check(size, true, true);
         }
+    }
+
+    #[test]
+    fn figures_are_read_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.exr");
+        let figures = vec![("whitted:shadowRays".to_owned(), 5.0)];
+        let metadata = Metadata { rays: 7, figures, ..Metadata::default() };
+        let picture = Picture::filled(2, 2, [0.5, 0.5, 0.5, 1.0]);
+        std::fs::write(&path, encode_exr(&path, &picture, &metadata, false).unwrap()).unwrap();
+        let expected = [("rays".to_owned(), 7.0), ("whitted:shadowRays".to_owned(), 5.0)];
+        assert_eq!(read_exr_figures(&path).unwrap(), expected);
     }
 
     #[test]

@@ -15,8 +15,21 @@ pub struct Difference {
     pub within: [f64; 3],
     /// Mean perceived difference, 0 to 1 (see [`flip`]).
     pub flip: f64,
+    /// The pixel that is furthest off.
+    pub worst: Worst,
     /// Whether every value of both pictures is finite.
     pub finite: bool,
+}
+
+/// A pixel and how far off it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// Its column.
+    pub x: usize,
+    /// Its row.
+    pub y: usize,
+    /// Root of the mean squared difference of its three linear values.
+    pub error: f64,
 }
 
 /// One word for a difference.
@@ -76,8 +89,26 @@ pub fn compare(reference: &Picture, image: &Picture) -> Result<Difference, Image
         relative_rmse: (error / power.max(1e-12)).sqrt(),
         within,
         flip: flip(reference, image).iter().map(|&e| f64::from(e)).sum::<f64>() / n,
+        worst: worst(reference, image),
         finite: pairs().all(|(a, b)| a[..3].iter().chain(&b[..3]).all(|v| v.is_finite())),
     })
+}
+
+/// The first of the pixels that are furthest off; what is not a number is as far as can be.
+fn worst(reference: &Picture, image: &Picture) -> Worst {
+    let square = |a: &[f32; 4], b: &[f32; 4]| -> f64 {
+        let sum: f64 = (0..3).map(|i| f64::from(a[i] - b[i]).powi(2)).sum();
+        if sum.is_nan() { f64::INFINITY } else { sum }
+    };
+    let mut worst = (0, 0.0);
+    for (i, (a, b)) in reference.pixels.iter().zip(&image.pixels).enumerate() {
+        let here = square(a, b);
+        if here > worst.1 {
+            worst = (i, here);
+        }
+    }
+    let width = reference.width.max(1);
+    Worst { x: worst.0 % width, y: worst.0 / width, error: (worst.1 / 3.0).sqrt() }
 }
 
 #[cfg(test)]
@@ -97,6 +128,18 @@ mod tests {
         check(0.5, 0.6, Verdict::Differs);
         check(2.0, 3.0, Verdict::Same);
         check(0.5, f32::NAN, Verdict::Differs);
+    }
+
+    #[test]
+    fn the_worst_pixel_is_found() {
+        let reference = Picture::filled(4, 3, [0.5, 0.5, 0.5, 1.0]);
+        let mut image = reference.clone();
+        (image.pixels[2], image.pixels[7]) = ([0.6, 0.5, 0.5, 1.0], [0.5, 0.2, 0.5, 0.0]);
+        let worst = compare(&reference, &image).unwrap().worst;
+        assert_eq!((worst.x, worst.y), (3, 1));
+        assert!((worst.error - 0.3 / 3f64.sqrt()).abs() < 1e-6, "{worst:?}");
+        image.pixels[0][1] = f32::NAN;
+        assert_eq!(compare(&reference, &image).unwrap().worst, Worst { x: 0, y: 0, error: f64::INFINITY });
     }
 
     #[test]

@@ -41,8 +41,8 @@ pub struct Metadata {
     pub camera: String,
     /// Rays shot, shadow rays included.
     pub rays: u64,
-    /// Further figures, by name.
-    pub figures: Vec<(&'static str, f64)>,
+    /// Further figures of what was done, under names as `whitted:cameraRays`.
+    pub figures: Vec<(String, f64)>,
     /// Further words, by name.
     pub notes: Vec<(&'static str, String)>,
 }

@@ -1,6 +1,7 @@
 //! Which file format a name asks for, and its bytes.
 
 use super::{ImageError, Metadata, Picture, exr_file::encode_exr, srgb_from_linear, write_whole};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{DynamicImage, ImageBuffer, ImageFormat, Rgb, Rgb32FImage, Rgba};
 use std::io::Cursor;
 use std::path::Path;
@@ -62,6 +63,19 @@ pub fn save(path: &Path, picture: &Picture, metadata: &Metadata, encoding: Encod
         FileKind::Hdr => through_image_crate(path, &linear_image(picture), ImageFormat::Hdr)?,
     };
     write_whole(path, &bytes)
+}
+
+/// The bytes of a PNG of 8 bits, as small as they easily get.
+///
+/// # Errors
+/// [`ImageError::Invalid`] for a picture that the format cannot hold, such as one of no size.
+pub fn encode_png(picture: &Picture) -> Result<Vec<u8>, ImageError> {
+    let mut bytes = Vec::new();
+    let encoder = PngEncoder::new_with_quality(&mut bytes, CompressionType::Best, FilterType::Adaptive);
+    match display_image(picture, false).write_with_encoder(encoder) {
+        Ok(()) => Ok(bytes),
+        Err(error) => Err(ImageError::Invalid("a picture of a page".into(), error.to_string())),
+    }
 }
 
 fn through_image_crate(path: &Path, image: &DynamicImage, format: ImageFormat) -> Result<Vec<u8>, ImageError> {

@@ -9,7 +9,7 @@ use crate::compiled::camera::Camera;
 use crate::eval::{self, Evaluated, Failed, Host};
 use crate::imaging::{self, ImageError, Metadata};
 use crate::math::DVec3;
-use crate::render::{self, Observer, Options, Progress, Rendered, Target};
+use crate::render::{self, Observer, Options, Progress, Rendered, Statistics, Target};
 use rayon::ThreadPool;
 use std::path::Path;
 
@@ -107,25 +107,31 @@ impl Session {
 }
 
 /// What the file says in numbers: rays by kind and, of a picture with a target, how far it came.
-fn figures(rendered: &Rendered, target: Option<&Target>) -> Vec<(&'static str, f64)> {
-    let rays = &rendered.statistics;
-    let mut figures = vec![
-        ("whitted:cameraRays", rays.camera_rays as f64),
-        ("whitted:reflectedRays", rays.reflected_rays as f64),
-        ("whitted:transmittedRays", rays.transmitted_rays as f64),
-        ("whitted:shadowRays", rays.shadow_rays as f64),
-    ];
+fn figures(rendered: &Rendered, target: Option<&Target>) -> Vec<(String, f64)> {
+    let mut figures = rays_by_kind(&rendered.statistics);
+    let mut note = |name: &str, value: f64| figures.push((format!("whitted:{name}"), value));
     if let Some(Progress { accuracy, samples, .. }) = &rendered.progress {
-        figures.extend([
-            ("whitted:errorEstimate", accuracy.rmse()),
-            ("whitted:errorUncertainty", accuracy.uncertainty()),
-            ("whitted:samples", *samples as f64),
-        ]);
+        note("errorEstimate", accuracy.rmse());
+        note("errorUncertainty", accuracy.uncertainty());
+        note("samples", *samples as f64);
     }
-    figures.extend(target.map(|target| ("whitted:seed", target.seed as f64)));
-    figures.extend(target.and_then(|target| target.error).map(|error| ("whitted:errorTarget", error)));
-    figures.extend(target.and_then(|target| target.time).map(|time| ("whitted:timeBudget", time.as_secs_f64())));
+    if let Some(Target { error, time, seed, .. }) = target {
+        note("seed", *seed as f64);
+        error.iter().for_each(|error| note("errorTarget", *error));
+        time.iter().for_each(|time| note("timeBudget", time.as_secs_f64()));
+    }
     figures
+}
+
+/// As a file's header names them.
+fn rays_by_kind(rays: &Statistics) -> Vec<(String, f64)> {
+    let kinds = [
+        ("camera", rays.camera_rays),
+        ("transmitted", rays.transmitted_rays),
+        ("reflected", rays.reflected_rays),
+        ("shadow", rays.shadow_rays),
+    ];
+    kinds.map(|(kind, n)| (format!("whitted:{kind}Rays"), n as f64)).into()
 }
 
 fn describe(camera: &Camera) -> String {

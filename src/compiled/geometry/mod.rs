@@ -151,6 +151,11 @@ impl Geometry {
         ]
     }
 
+    /// How many isosurfaces there are, copies not counted.
+    pub(super) fn isosurfaces(&self) -> usize {
+        self.primitives.iter().filter(|primitive| matches!(primitive.shape, Shape::Isosurface(_))).count()
+    }
+
     /// A box around everything; infinite if anything is.
     pub fn bounds(&self) -> Bounds {
         self.root.bounds

@@ -20,6 +20,7 @@ impl Evaluator<'_> {
         while self.isosurface_item(&mut surface)? {
             self.comma()?;
         }
+        surface.accuracy *= self.options.overrides.isosurface_accuracy;
         Ok(Shape::Isosurface(Arc::new(surface)))
     }
 

@@ -63,6 +63,8 @@ impl Evaluator<'_> {
             if draft.circular && (area.size1 < 2 || area.size2 < 2) {
                 return self.error(span, "a circular area light needs at least two samples along each axis");
             }
+            let overrides = &self.options.overrides;
+            (area.size1, area.size2) = (overrides.area_samples(area.size1), overrides.area_samples(area.size2));
         } else if draft.circular || draft.orient {
             let span = self.span();
             self.warn(
