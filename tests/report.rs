@@ -26,7 +26,7 @@ fn figures_stand_in_all_three_files() {
     let json: Value = serde_json::from_str(&std::fs::read_to_string(output.join("report.json")).unwrap()).unwrap();
     let rungs = json["rungs"].as_array().unwrap();
     let ladders: std::collections::BTreeSet<&str> = rungs.iter().filter_map(|rung| rung["ladder"].as_str()).collect();
-    let expected = "adc_bailout area_light_grid isosurface_accuracy max_trace_level method_1 method_2 no_antialiasing";
+    let expected = "adc_bailout area_light_grid isosurface_accuracy max_trace_level method_1 method_2 no_antialiasing target_error";
     assert_eq!(ladders.iter().map(|name| name.replace(' ', "_")).collect::<Vec<_>>().join(" "), expected);
     for rung in rungs {
         assert!(rung["failure"].is_null(), "{rung}");
@@ -40,7 +40,12 @@ fn figures_stand_in_all_three_files() {
     };
     let (plain, grid) = (errors("no antialiasing"), errors("method 1"));
     assert!(grid.last() < grid.first() && grid.first() < plain.first(), "{plain:?} {grid:?}");
-    assert!(rungs[0]["reference_rmse"].as_f64() < grid.last().copied(), "{rungs:?}");
+    let own = rungs[0]["reference_rmse"].as_f64();
+    assert!(own < grid.last().copied(), "{rungs:?}");
+    // A target is missed once in twenty times, by little.
+    let targets: Vec<&Value> = rungs.iter().filter(|rung| rung["ladder"] == "target error").collect();
+    let hits = targets.iter().filter(|rung| rung["rmse"].as_f64() <= rung["target_rmse"].as_f64()).count();
+    assert!(targets.len() == 6 && hits >= 4 && targets.iter().all(|rung| rung["estimated_rmse"].is_number()), "{hits}");
     for limit in ["max_trace_level", "adc_bailout", "area_light_grid", "isosurface_accuracy"] {
         let errors = errors(limit);
         assert!(errors.first() > errors.last(), "{limit}: {errors:?}");
@@ -101,16 +106,16 @@ fn the_page_works_in_a_browser() {
 
 fn check(found: &Value, window: &str) {
     let plots = found["plots"].as_array().unwrap();
-    // Time and rays, and a plot for each of four limits.
-    assert_eq!(plots.len(), 6, "{found}");
+    // Time, rays and targets, and a plot for each of four limits.
+    assert_eq!(plots.len(), 7, "{found}");
     for plot in plots {
         assert!(plot["width"].as_f64() > Some(250.0) && plot["height"].as_f64() > Some(180.0), "{window}: {plot}");
         assert!(plot["within"] == true, "{window}: {plot}");
     }
-    assert!(plots[..2].iter().all(|plot| plot["marks"] == 14), "a mark for each rung: {plots:?}");
+    assert!(plots[..2].iter().all(|plot| plot["marks"] == 20), "a mark for each rung: {plots:?}");
     assert!(found["colors"].as_u64() >= Some(3), "{found}");
     assert!(found["images"].as_array().unwrap().iter().all(|width| *width == 48), "{found}");
-    assert_eq!(found["choices"], 7);
+    assert_eq!(found["choices"], 10);
     assert!(found["overflow"].as_f64() <= Some(0.0), "{window}: the page is wider than the window");
     assert_ne!(found["before"], found["after"], "the slider moves the border");
     assert_eq!(found["after"], "inset(0px 80% 0px 0px)");

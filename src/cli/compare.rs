@@ -1,9 +1,9 @@
 //! `whitted compare`: how much two pictures differ.
 
 use super::fail;
-use crate::imaging::{Difference, Encoding, Metadata, Verdict, compare, heatmap, read_exr, save};
+use crate::imaging::{Difference, Encoding, Metadata, Verdict, compare, heatmap, read_exr, read_exr_figures, save};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// What was typed.
@@ -49,13 +49,25 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         }
     }
     // A closed pipe is no reason to fail: the exit code says the same.
-    let _ = std::io::stdout().write_all(table(&difference).as_bytes());
+    let said = table(&difference) + &claims(&arguments.reference) + &claims(&arguments.image);
+    let _ = std::io::stdout().write_all(said.as_bytes());
     let limit = match arguments.tolerance {
         Tolerance::Same => Verdict::Same,
         Tolerance::Close => Verdict::Close,
         Tolerance::Alike => Verdict::Alike,
     };
     if difference.verdict() <= limit { ExitCode::SUCCESS } else { ExitCode::from(1) }
+}
+
+/// What a picture says of its own error, if it does.
+fn claims(file: &Path) -> String {
+    // Whoever can be read as a picture has a header; one without figures claims nothing.
+    let figures = read_exr_figures(file).unwrap_or_default();
+    let figure = |name: &str| figures.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
+    let (Some(error), Some(doubt)) = (figure("whitted:errorEstimate"), figure("whitted:errorUncertainty")) else {
+        return String::new();
+    };
+    format!("claims         {error:.6} ± {doubt:.6} ({})\n", file.display())
 }
 
 fn table(difference: &Difference) -> String {

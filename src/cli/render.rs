@@ -9,6 +9,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 /// The size that an installed POV-Ray's own settings give: 800 x 600.
@@ -234,9 +236,10 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         outputs: std::iter::once(output).chain(preview).map(|file| Output { file, encoding }).collect(),
     };
     let session = Session::new(arguments.threads);
-    let bar = Bar(progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left"));
+    let bar = progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left");
+    let bar = Bar { bar, stopped: job.rendering.target.as_ref().map(|_| stop_on_interrupt()) };
     let result = session.render(&job, &arguments.scene.host(), &bar);
-    bar.0.finish_and_clear();
+    bar.bar.finish_and_clear();
     let mut outcome = match result {
         Ok(outcome) => outcome,
         Err(failed) => {
@@ -245,6 +248,9 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         }
     };
     arguments.scene.how.messages.show(&outcome.warnings, &outcome.sources);
+    if !outcome.complete {
+        return fail("stopped before every pixel was seen; nothing is written");
+    }
     if let Err(error) = session.write(&mut outcome, &job.outputs) {
         return fail(error);
     }
@@ -286,13 +292,35 @@ fn show_timings(outcome: &Outcome) {
 }
 
 /// Shows how a picture comes along.
-struct Bar(ProgressBar);
+struct Bar {
+    bar: ProgressBar,
+    /// Whether the user wants no more, of a picture that is one at any time.
+    stopped: Option<Arc<AtomicBool>>,
+}
 
 impl Observer for Bar {
     fn advanced(&self, done: usize, of: usize) {
-        self.0.set_length(of as u64);
-        self.0.set_position(done as u64);
+        self.bar.set_length(of as u64);
+        self.bar.set_position(done as u64);
     }
+
+    fn cancels(&self) -> bool {
+        self.stopped.as_ref().is_some_and(|stopped| stopped.load(Ordering::Relaxed))
+    }
+}
+
+/// A flag that the first interrupt raises, as by Ctrl-C; the second one ends the program.
+fn stop_on_interrupt() -> Arc<AtomicBool> {
+    let stopped = Arc::new(AtomicBool::new(false));
+    let raised = Arc::clone(&stopped);
+    // Where there are no signals to be had, an interrupt ends the program as ever.
+    let _ = ctrlc::set_handler(move || {
+        if raised.swap(true, Ordering::Relaxed) {
+            // What a shell calls a program that an interrupt has ended.
+            std::process::exit(130);
+        }
+    });
+    stopped
 }
 
 /// Drawn only on a terminal.

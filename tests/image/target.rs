@@ -1,7 +1,8 @@
 //! Pictures that are sampled until their error is small: what they say of themselves holds.
 
 use super::*;
-use whitted::render::{End, ImageLayer, Progress, Rendered, Target};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use whitted::render::{End, FinishedBlock, ImageLayer, Observer, Progress, Rendered, Target};
 
 const SIZE: [usize; 2] = [48, 36];
 
@@ -123,6 +124,35 @@ fn time_that_is_over_ends_it_with_a_whole_picture() {
     let target = Target { error: Some(1e-9), time: Some(std::time::Duration::ZERO), ..Target::default() };
     let rendered = rendered(&world(SCENES[3]), target, 1);
     assert!(rendered.complete && progress(&rendered).end == End::Time);
+}
+
+/// Wants no more after some blocks.
+struct Impatient(AtomicUsize);
+
+impl Observer for Impatient {
+    fn finished(&self, _: &FinishedBlock) {
+        self.0.fetch_add(1, Ordering::Relaxed);
+    }
+
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn cancels(&self) -> bool {
+        // The picture has four blocks.
+        self.0.load(Ordering::Relaxed) >= 6
+    }
+}
+
+#[test]
+fn who_stops_it_after_the_first_round_has_a_picture() {
+    let [width, height] = SIZE;
+    let target = Some(Target { error: Some(1e-3), ..Target::default() });
+    let options = Options { width, height, target, ..Options::default() };
+    let impatient = Impatient(AtomicUsize::new(0));
+    let rendered = Session::new(1).picture(&world(SCENES[4]), &options, &impatient);
+    let progress = progress(&rendered);
+    assert!(rendered.complete && progress.end == End::Cancelled && progress.accuracy.rmse() > 1e-3, "{progress:?}");
 }
 
 #[test]
