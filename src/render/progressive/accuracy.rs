@@ -43,12 +43,17 @@ impl Accuracy {
 /// Squared error of the mean of two halves.
 pub(super) fn of_halves([a, b]: [Rgb; 2]) -> f64 {
     let d = (a - b).as_dvec3();
-    d.dot(d) / 12.0
+    number(d.dot(d) / 12.0)
 }
 
 /// Squared error of a pixel as two further streams see it; right on average, below 0 at times.
 pub(super) fn of_audit(pixel: Rgb, [c, d]: [Rgb; 2]) -> f64 {
-    (pixel - c).as_dvec3().dot((pixel - d).as_dvec3()) / 3.0
+    number((pixel - c).as_dvec3().dot((pixel - d).as_dvec3()) / 3.0)
+}
+
+/// Light that is no number is wrong by no amount that samples could mend.
+fn number(v: f64) -> f64 {
+    if v.is_finite() { v } else { 0.0 }
 }
 
 /// Sums for a mean and its variance.
@@ -97,8 +102,11 @@ mod tests {
     use super::super::stream::{Purpose, Stream};
     use super::*;
 
-    /// Integrands over a pixel's square, from -1/2 to 1/2, with their means.
-    const INTEGRANDS: [(fn(f64, f64) -> f64, f64); 5] = [
+    /// What light is at a place of a pixel, whose square goes from -1/2 to 1/2.
+    type Integrand = fn(f64, f64) -> f64;
+
+    /// Integrands with their means.
+    const INTEGRANDS: [(Integrand, f64); 5] = [
         // Half-planes: the first cuts two opposite sides of the square, the second a corner with legs of 0.4 and 0.8.
         (|x, y| f64::from(u8::from(x + 0.3 * y < 0.1)), 0.6),
         (|x, y| f64::from(u8::from((x + 0.5) / 0.4 + (y + 0.5) / 0.8 < 1.0)), 0.16),
@@ -114,7 +122,7 @@ mod tests {
     ];
 
     /// Means of so many points of a pixel's streams, one pixel of 10,000 after the other.
-    fn means(f: fn(f64, f64) -> f64, n: u32, purpose: Purpose) -> impl Iterator<Item = f64> {
+    fn means(f: Integrand, n: u32, purpose: Purpose) -> impl Iterator<Item = f64> {
         (0..10_000).map(move |seed| {
             let stream = Stream::new(seed, 0, 0, purpose);
             let sum: f64 = (0..n).map(|i| stream.position(i)).map(|[x, y]| f(x, y)).sum();
@@ -128,7 +136,7 @@ mod tests {
     }
 
     /// What estimates are off by, over 10,000 pixels: by halves, and by audits.
-    fn check(f: fn(f64, f64) -> f64, truth: f64, n: u32, factor: f64) -> [Moments; 2] {
+    fn check(f: Integrand, truth: f64, n: u32, factor: f64) -> [Moments; 2] {
         let [a, b] = [0, 1].map(|half| means(f, n, Purpose::Picture(half)));
         let [c, d] = [0, 1].map(|half| means(f, n, Purpose::Audit(half)));
         let gray = |v: f64| Rgb::splat(v as f32);

@@ -73,7 +73,9 @@ impl Noise {
                 let prior = pooled(pixels, width, x, y).max(contrast(pixels, width, x, y));
                 let (own, freedom) = pixel.variance();
                 let variance = (own * freedom + prior * PRIOR) / (freedom + PRIOR);
-                variance * slope(transfer, pixel.working()).powi(2)
+                let variance = variance * slope(transfer, pixel.working()).powi(2);
+                // No sample mends what is no number.
+                if variance.is_finite() { variance } else { 0.0 }
             })
         };
         Self { variances: (0..height).into_par_iter().flat_map_iter(row).collect() }

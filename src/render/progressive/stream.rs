@@ -56,7 +56,7 @@ impl Stream {
 
 /// Whether a pixel is among those that are audited: one in [`AUDITED`].
 pub(super) fn is_audited(x: usize, y: usize) -> bool {
-    hashed(hashed(x as u64) ^ y as u64) % AUDITED == 0
+    hashed(hashed(x as u64) ^ y as u64).is_multiple_of(AUDITED)
 }
 
 /// One pixel in so many is sampled once more to check the rest.
