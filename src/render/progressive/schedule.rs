@@ -1,23 +1,28 @@
 //! When to stop, and what the next round is to be.
 
 use super::accuracy::Accuracy;
-use super::allocation::Noise;
+use super::allocation::{Noise, Plan};
 use super::pixel::Pixel;
 use crate::render::film::Gather;
 use crate::render::observer::Observer;
 use crate::render::options::Target;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Share of the target that a round aims at: who aims at the middle misses half of the time.
 const AIM: f64 = 0.9;
 /// Chance that a picture is said to have reached its target and has not.
 const RISK: f64 = 0.05;
-/// Share of the time left that a round may take while there is enough of it to look again, and when there is not.
-const SHARES: [f64; 2] = [0.4, 0.9];
-/// What a sample is worth in the hardest of pixels: the first limit that is thought of.
+/// Share of the time left that a round takes if something can be had for it, so that there is time to look again, and the
+/// most that it may take.
+const SHARES: [f64; 2] = [0.5, 0.95];
+/// Share of what a round may bring with which a higher limit is as good.
+const NEARLY: f64 = 0.9;
+/// Share of all samples so far below which a round is not worth its bookkeeping.
+const WORTHWHILE: f64 = 0.01;
+/// The highest limit that is thought of: what a sample is worth in the hardest of pixels.
 const FIRST_LIMIT: f64 = 16.0;
-/// How finely limits are looked at, and how many of them: each is 1/√2 of the one before, which is an eighth more samples.
-const N_LIMITS: i32 = 56;
+/// How many limits are looked at, each a quarter of the one before: the last is beyond single precision.
+const N_LIMITS: i32 = 30;
 
 /// What is known after a round.
 pub(super) struct State {
@@ -66,28 +71,43 @@ impl<'t> Schedule<'t> {
         if self.target.error.is_some_and(|error| state.accuracy.upper_rmse(deviations(rounds.len())) <= error) {
             return Err(End::Reached);
         }
-        let highest = rounds.last().copied().unwrap_or(FIRST_LIMIT);
-        let limits: Vec<f64> = (0..N_LIMITS).map(|k| highest * (-0.5 * f64::from(k)).exp2()).collect();
-        let mut plans = state.noise.plans(pixels, &limits);
-        plans.retain(|plan| plan.samples > 0);
-        let Some(last) = plans.last().copied() else { return Err(End::Exhausted) };
-        let mut limit = last.limit;
+        let mut limit = 0.0_f64;
         if let Some(error) = self.target.error {
             // As far below the target as the estimate is uncertain.
             let Accuracy { mean_square, deviation } = state.accuracy;
             let margin = 1.0 + deviations(rounds.len() + 1) * (deviation / mean_square).clamp(0.0, 1.0);
             let aim = AIM * error * error / margin * pixels.len() as f64 / state.factor;
-            limit = plans.iter().find(|plan| plan.squared_errors <= aim).unwrap_or(&last).limit;
+            let plans = plans(state, pixels, |plan| plan.samples > 0 && plan.squared_errors <= aim);
+            let reaches = plans.iter().find(|plan| plan.samples > 0 && plan.squared_errors <= aim);
+            let most = plans.iter().rev().find(|plan| plan.samples > 0);
+            limit = reaches.or(most).ok_or(End::Exhausted)?.limit;
         }
         if let Some(time) = self.target.time {
-            let spent = self.start.elapsed();
-            let left = time.saturating_sub(spent).as_secs_f64();
-            let share = SHARES[usize::from(left < 0.5 * SHARES[0] * time.as_secs_f64())];
-            let affordable = share * left * state.samples as f64 / spent.as_secs_f64();
-            let best = plans.iter().rev().find(|plan| plan.samples as f64 <= affordable).ok_or(End::Time)?;
-            limit = limit.max(best.limit);
+            limit = limit.max(self.affordable(time, state, pixels)?);
         }
         Ok(limit)
+    }
+
+    /// The lowest limit whose samples can be taken in the time that is left, at the pace so far.
+    fn affordable<G: Gather>(&self, time: Duration, state: &State, pixels: &[Pixel<G>]) -> Result<f64, End> {
+        let spent = self.start.elapsed();
+        let left = time.saturating_sub(spent).as_secs_f64();
+        let pace = state.samples as f64 / spent.as_secs_f64();
+        for share in SHARES {
+            let room = share * left * pace;
+            let plans = plans(state, pixels, |plan| plan.samples as f64 > room);
+            if plans.iter().all(|plan| plan.samples == 0) {
+                return Err(End::Exhausted);
+            }
+            let fits = |plan: &&Plan| plan.samples as f64 <= room;
+            let most = plans.iter().rev().find(fits).map_or(0.0, |plan| plan.samples as f64);
+            if most > WORTHWHILE * state.samples as f64 {
+                // As a round multiplies samples by four at most, far lower limits may bring no more than this one.
+                let best = plans.iter().find(|plan| plan.samples as f64 >= NEARLY * most);
+                return best.map(|plan| plan.limit).ok_or(End::Time);
+            }
+        }
+        Err(End::Time)
     }
 
     /// Tells the observer how far the way to the target is done.
@@ -101,6 +121,19 @@ impl<'t> Schedule<'t> {
         let done = by_error.max(by_time).clamp(0.0, 1.0);
         observer.advanced((done * ALL) as usize, ALL as usize);
     }
+}
+
+/// What limits would bring, from high to low: of all that make sense, in steps of four, and in small steps from where the
+/// last is that is not yet `enough` to where the first is that is.
+fn plans<G: Gather>(state: &State, pixels: &[Pixel<G>], enough: impl Fn(&Plan) -> bool) -> Vec<Plan> {
+    let coarse: Vec<f64> = (0..N_LIMITS).map(|k| FIRST_LIMIT * (-2.0 * f64::from(k)).exp2()).collect();
+    let mut plans = state.noise.plans(pixels, &coarse);
+    if let Some(first) = plans.iter().position(enough).filter(|first| *first > 0) {
+        // Each is a sixth more samples.
+        let fine: Vec<f64> = (1..4).map(|k| coarse[first - 1] * (-0.5 * f64::from(k)).exp2()).collect();
+        plans.splice(first..first, state.noise.plans(pixels, &fine));
+    }
+    plans
 }
 
 /// How many standard deviations keep the risk small that one of the looks after each round ends the rendering wrongly:
