@@ -102,12 +102,12 @@ def tell(pairs, title):
 
 def histogram(pairs, path):
     """The logarithms of true over estimated error, as a picture that stands by itself."""
-    edges = [k / 4 for k in range(-8, 9)]
+    edges = [k / 8 for k in range(-16, 17)]
     logs = [min(max(math.log2(max(pair.true, 1e-9) / max(pair.estimate, 1e-9)), -1.99), 1.99) for pair in pairs
-            if not is_calibrated(pair) or pair.estimate > 0]
+            if pair.estimate > 0]
     counts = numpy.histogram(logs, edges)[0]
     width, height, left, base = 640, 300, 50, 250
-    step, scale = (width - left - 20) / len(counts), (base - 40) / max(counts)
+    step, scale = (width - 2 * left) / len(counts), (base - 40) / max(counts)
     bars = []
     for i, count in enumerate(counts):
         inside = -1 <= edges[i] < 1
@@ -116,14 +116,14 @@ def histogram(pairs, path):
         if count:
             bars.append(f'<text x="{left + (i + .5) * step:.1f}" y="{base - count * scale - 5:.1f}">{count}</text>')
     names = {-2: "¼ or less", -1: "½", 0: "1", 1: "2", 2: "4 or more"}
-    marks = [f'<text x="{left + (log + 2) * 4 * step:.1f}" y="{base + 18}">{name}</text>' for log, name in names.items()]
+    marks = [f'<text x="{left + (log + 2) * 8 * step:.1f}" y="{base + 18}">{name}</text>' for log, name in names.items()]
     with open(path, "w") as file:
         file.write(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img" '
                    f'aria-label="Histogram of true over estimated error of {len(logs)} pictures">'
                    "<style>text{font:12px sans-serif;text-anchor:middle;fill:#555}.in{fill:#3b78b5}.out{fill:#c9702e}"
                    "line{stroke:#888}@media(prefers-color-scheme:dark){text{fill:#bbb}}</style>"
-                   f'<line x1="{left}" x2="{width - 20}" y1="{base}" y2="{base}"/>{"".join(bars)}{"".join(marks)}'
-                   f'<text x="{(width + left) / 2}" y="{base + 40}">true error / estimated error</text></svg>\n')
+                   f'<line x1="{left}" x2="{width - left}" y1="{base}" y2="{base}"/>{"".join(bars)}{"".join(marks)}'
+                   f'<text x="{width / 2}" y="{base + 40}">true error / estimated error</text></svg>\n')
 
 
 def main():
