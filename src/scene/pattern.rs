@@ -220,6 +220,12 @@ impl Pattern {
         Self { frequency: if kind.has_no_frequency() { 0.0 } else { 1.0 }, wave, kind, ..Self::default() }
     }
 
+    /// Whether there is anything beside the formula, or what a formula before this one set.
+    pub fn is_modified(&self) -> bool {
+        let moved = !self.warps.is_empty() || self.turbulence.is_some() || self.noise_generator.is_some();
+        moved || self.frequency != 1.0 || self.phase != 0.0 || self.wave != Wave::Ramp
+    }
+
     /// Levels of objects and pigments inside one another.
     pub fn depth(&self) -> u32 {
         match &self.kind {

@@ -73,14 +73,23 @@ pub struct MapEntry<T> {
 pub struct Pigment {
     /// What colour, where.
     pub kind: PigmentKind,
-    /// The colour at quality 5 and below; few have one, and it must not take up room in all others.
-    pub quick_color: Option<Box<Color>>,
+    /// What few pigments have.
+    pub rare: Option<Box<RarePigment>>,
     /// Everything inside is looked up at (u, v, 0).
     pub uv_mapping: bool,
     /// Levels of parts inside one another, down from this one; noted once it is complete.
     pub depth: u32,
     /// Its first word, or an empty place if nothing was written.
     pub span: Span,
+}
+
+/// What must not take up room in all pigments.
+#[derive(Clone, Debug, Default)]
+pub struct RarePigment {
+    /// The colour at quality 5 and below.
+    pub quick_color: Option<Color>,
+    /// Modifiers and transformations of a plain colour: a pattern written over it takes them over.
+    pub pattern: Option<Pattern>,
 }
 
 /// The sorts of pigment. Copies that stand elsewhere share everything but the pattern.
@@ -98,13 +107,7 @@ pub enum PigmentKind {
 
 impl Default for Pigment {
     fn default() -> Self {
-        Self {
-            kind: PigmentKind::Solid(Color::BLACK),
-            quick_color: None,
-            uv_mapping: false,
-            depth: 0,
-            span: Span::default(),
-        }
+        Self { kind: PigmentKind::Solid(Color::BLACK), rare: None, uv_mapping: false, depth: 0, span: Span::default() }
     }
 }
 
@@ -328,7 +331,11 @@ impl Pigment {
             return;
         }
         match &mut self.kind {
-            PigmentKind::Solid(_) => {}
+            PigmentKind::Solid(_) if transform.is_identity() => {}
+            PigmentKind::Solid(_) => {
+                let rare = self.rare.get_or_insert_default();
+                rare.pattern.get_or_insert_with(|| Pattern::new(PatternKind::None)).apply(transform);
+            }
             PigmentKind::Colors(p, _) | PigmentKind::Pigments(p, _) | PigmentKind::Image(p, _) => p.apply(transform),
         }
     }

@@ -192,7 +192,7 @@ impl<'s> TextureCompiler<'s> {
             pigment,
             normal,
             finish: self.once(&layer.finish, |c| &mut c.finishes, |_| Ok(finish::compile(&layer.finish, settings)))?,
-            quick_color: layer.pigment.quick_color.as_deref().copied(),
+            quick_color: layer.pigment.rare.as_ref().and_then(|rare| rare.quick_color),
         })
     }
 

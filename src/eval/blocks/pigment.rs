@@ -3,7 +3,9 @@
 use crate::diag::{SourceResult, Span};
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
-use crate::scene::{Blend, ImageMap, MapEntry, MapType, Pattern, PatternKind, Pigment, PigmentKind, default_colors};
+use crate::scene::{
+    Blend, ImageMap, MapEntry, MapType, Pattern, PatternKind, Pigment, PigmentKind, RarePigment, default_colors,
+};
 use crate::stack::roomy;
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
@@ -12,7 +14,7 @@ use std::sync::Arc;
 struct Draft {
     pattern: Pattern,
     content: Content,
-    quick_color: Option<Box<Color>>,
+    quick_color: Option<Color>,
     uv_mapping: bool,
 }
 
@@ -25,23 +27,30 @@ enum Content {
 
 impl Draft {
     fn new(pigment: Pigment) -> Self {
+        let rare = pigment.rare.map(|rare| *rare).unwrap_or_default();
+        let plain = || Pattern::new(PatternKind::None);
         let (pattern, content) = match pigment.kind {
-            PigmentKind::Solid(color) => (Pattern::new(PatternKind::None), Content::Solid(color)),
+            PigmentKind::Solid(color) => (rare.pattern.unwrap_or_else(plain), Content::Solid(color)),
             PigmentKind::Colors(pattern, colors) => (*pattern, Content::Colors(colors)),
             PigmentKind::Pigments(pattern, pigments) => (*pattern, Content::Pigments(pigments)),
             PigmentKind::Image(pattern, image) => (*pattern, Content::Image(image)),
         };
-        Self { pattern, content, quick_color: pigment.quick_color, uv_mapping: pigment.uv_mapping }
+        Self { pattern, content, quick_color: rare.quick_color, uv_mapping: pigment.uv_mapping }
     }
 
     fn finish(self, span: Span) -> Pigment {
+        let mut rare = RarePigment { quick_color: self.quick_color, pattern: None };
         let kind = match self.content {
-            Content::Solid(color) => PigmentKind::Solid(color),
+            Content::Solid(color) => {
+                rare.pattern = self.pattern.is_modified().then_some(self.pattern);
+                PigmentKind::Solid(color)
+            }
             Content::Colors(colors) => PigmentKind::Colors(self.pattern.into(), colors),
             Content::Pigments(pigments) => PigmentKind::Pigments(self.pattern.into(), pigments),
             Content::Image(image) => PigmentKind::Image(self.pattern.into(), image),
         };
-        Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping, depth: 0, span }
+        let rare = (rare.quick_color.is_some() || rare.pattern.is_some()).then(|| rare.into());
+        Pigment { kind, rare, uv_mapping: self.uv_mapping, depth: 0, span }
     }
 
     /// After a pattern keyword with the items of a block pattern, if there are some.
@@ -161,7 +170,7 @@ impl Evaluator<'_> {
             }
             Some(K::QuickColor | K::QuickColour) => {
                 self.next()?;
-                draft.quick_color = Some(Box::new(self.color()?));
+                draft.quick_color = Some(self.color()?);
                 return Ok(true);
             }
             Some(K::UvMapping) => {
@@ -182,6 +191,7 @@ impl Evaluator<'_> {
         }
         if self.starts_color()? {
             draft.content = Content::Solid(self.color()?);
+            draft.pattern.kind = PatternKind::None;
             return Ok(true);
         }
         self.pattern_modifier(&mut draft.pattern)
