@@ -334,7 +334,7 @@ impl<'a> Builder<'a> {
         }
         // Clips and bounds stand in the space around the object and keep their own inversions.
         let clip_context = Context { group_from_parent: around.group_from_parent, ..Context::bare() };
-        node.clips = object.rare.clipped_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
+        node.clips = object.rare.clipped_by.iter().filter_map(|o| self.part(o, &clip_context, id)).collect();
         if (!is_root || keeps_bounds(&object.shape)) && !object.flags.bounds_are_clips {
             node.bounded_by =
                 object.rare.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
@@ -359,6 +359,24 @@ impl<'a> Builder<'a> {
         }
         self.geometry.nodes[own] = node;
         Some(own)
+    }
+
+    /// Builds an object whose inside counts. What has no surface is mostly nowhere, or everywhere when inverted.
+    fn part(&mut self, object: &Object, around: &Context, id: ObjectId) -> Option<NodeId> {
+        let built = self.node(object, around, id, false);
+        if built.is_some() || matches!(object.shape, Shape::LightSource(_)) {
+            return built;
+        }
+        let inside = self.enter(object, around);
+        let appearance = self.add_appearance(inside.appearance(id));
+        // The union of no parts has no inside, their intersection is everywhere.
+        let mut node = Node { appearance, ..Node::placeholder() };
+        let inverse = inside.inverse && !is_patch(&object.shape);
+        if let (true, NodeKind::Csg { operation, .. }) = (inverse != is_everywhere(&object.shape), &mut node.kind) {
+            *operation = Operation::Intersection;
+            (node.extent, node.gap) = (Bounds::INFINITE, Bounds::EMPTY);
+        }
+        Some(self.geometry.nodes.push(node))
     }
 
     /// The part of a box that a node's surface, or its surface and inside, can reach.
@@ -410,7 +428,10 @@ impl<'a> Builder<'a> {
             } else if compiled != Operation::Intersection {
                 around.cutaway_root = None;
             }
-            built.extend(self.node(child, &around, id, false));
+            built.extend(match compiled {
+                Operation::Union => self.node(child, &around, id, false),
+                Operation::Merge | Operation::Intersection => self.part(child, &around, id),
+            });
         }
         let nodes = &self.geometry.nodes;
         let hull = |f: fn(&Node) -> Bounds| built.iter().fold(Bounds::EMPTY, |sum, n| sum.union(&f(&nodes[*n])));
@@ -481,6 +502,15 @@ fn keeps_bounds(shape: &Shape) -> bool {
 fn is_bounded(object: &Object) -> bool {
     let has_bounds = !object.rare.bounded_by.is_empty() && !object.flags.bounds_are_clips;
     has_bounds && (keeps_bounds(&object.shape) || super::extent::shrunken(object).is_some())
+}
+
+/// Whether an equation without a variable holds: all points are inside.
+fn is_everywhere(shape: &Shape) -> bool {
+    match shape {
+        Shape::Quadric { constant, .. } => *constant <= 0.0,
+        Shape::Polynomial { coefficients, .. } => coefficients.iter().all(|c| *c == 0.0),
+        _ => false,
+    }
 }
 
 /// Surfaces without an inside, on which `inverse` has no effect.
