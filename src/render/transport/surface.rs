@@ -3,7 +3,7 @@
 //! Source: sections 2 and 6 of the shading facts (measured).
 
 use super::secondary::Boundary;
-use crate::math::{DVec3, Rgb, gray};
+use crate::math::{Color, DVec3, Rgb, gray};
 use crate::render::film::{Gather, Term};
 use crate::render::light::{ArrivingLight, direct_light};
 use crate::render::medium::inside_of;
@@ -67,7 +67,7 @@ pub(super) fn shade<'t, G: Gather>(
             top_normal = normal;
         }
         let pigment = layer.color(lookup, options);
-        let color = pigment.unwrap_or_default();
+        let color = pigment.unwrap_or(Color::CLEAR);
         if options.flat() {
             shaded.found.add(Term::Emission, Radiance::opaque(color.rgb));
             shaded.found.note_shading(normal, color.rgb);
