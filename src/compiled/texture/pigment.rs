@@ -194,6 +194,7 @@ fn weighted_sum(items: impl Iterator<Item = (f32, Color)>) -> Color {
 mod tests {
     use super::super::PatternKind;
     use super::*;
+    use crate::math::Rgb;
 
     fn check(pigment: &Pigment, x: f64, expected: [f32; 5]) {
         let found = pigment.color(DVec3::new(x, 0.0, 0.0), &Context::default()).unwrap();
