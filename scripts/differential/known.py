@@ -78,6 +78,30 @@ def plump(root: Node) -> None:
             spheres("torus")(group(node))
 
 
+def upright(flag: str) -> Cure:
+    """Returns a cure that takes `inverse` from solids made of others."""
+
+    def cure(root: Node) -> None:
+        for node in root.walk():
+            if re.match("(union|merge|intersection|difference|object) {", node.head):
+                node.children = [child for child in node.children if child.head != flag]
+
+    return cure
+
+
+def without(feature: str) -> Cure:
+    """Returns a cure that takes out what a production made."""
+
+    def cure(root: Node) -> None:
+        for node in root.walk():
+            node.children = [child for child in node.children if child.feature != feature]
+
+    return cure
+
+
+VECTOR_PART = r"\b(turbulence|scale|translate|rotate) ((<[^<>]*>|v[a-z]+\([^()]*\)|[xyz])\.[xyz])"
+
+
 def even(root: Node) -> None:
     """Takes the transformations off smooth triangles that change their shape."""
     for node in root.walk():
@@ -115,11 +139,11 @@ def placed(node: Node) -> list[Node]:
 KNOWN = [
     Known("fresnel when leaving a nested object", has(r"fresnel", r"interior \{"), rewritten(r"fresnel( on)?")),
     Known("blur of orthographic and cylinder cameras", has(r"aperture", r"orthographic|cylinder [34]"), rewritten(r"aperture .* focal_point (0|<[^>]*>)")),
-    Known("poly, cubic, quartic: inside", has(r"\b(poly|cubic|quartic) \{", r"difference|intersection|merge|clipped_by|fog|interior"), spheres("poly", "cubic", "quartic")),
+    Known("poly, cubic, quartic: inside", has(r"\b(poly|cubic|quartic) \{", r"difference|intersection|merge|clipped_by|fog|interior|inverse"), spheres("poly", "cubic", "quartic")),
     Known("fade of a parallel light", has(r"parallel", r"fade_distance"), rewritten(r"fade_distance \S+ fade_power \S+")),
     Known("quadric: box", has(r"quadric \{", r"clipped_by|intersection|difference|bounded_by"), spheres("quadric")),
     Known("cubic sphere_sweep", has(r"sphere_sweep \{", r"cubic_spline|b_spline"), spheres("sphere_sweep")),
-    Known("sphere_sweep: inside", has(r"sphere_sweep", r"difference|intersection|merge|clipped_by|trace|interior|fog"), spheres("sphere_sweep")),
+    Known("sphere_sweep: inside", has(r"sphere_sweep", r"difference|intersection|merge|clipped_by|trace|interior|fog|inverse"), spheres("sphere_sweep")),
     Known("bicubic_patch clipped", has(r"bicubic_patch", r"clipped_by|intersection|difference|merge"), spheres("bicubic_patch")),
     Known("sides of a triangle", has(r"triangle \{", r"interior_texture|trace"), spheres("triangle", "smooth_triangle", "mesh", "mesh2")),
     Known("box of a disc in an intersection", has(r"disc \{", r"intersection|difference"), spheres("disc")),
@@ -131,12 +155,16 @@ KNOWN = [
     Known("sor without sturm", has(r"sor \{"), added("sor", "sturm")),
     Known("smooth_triangle moved unevenly", has(r"smooth_triangle \{", r"matrix|transform"), even),
     Known("spindle torus", has(r"torus \{"), plump),
+    Known("faces in the same place", has(), apart),
     Known("min_extent", has(r"min_extent"), rewritten(r"^box \{ min_extent.*")),
+    Known("camera inside an inverted solid", has(r"\binverse\b", r"union|merge|intersection|difference"), upright("inverse")),
+    Known("union inverted twice", has(r"inverse inverse"), upright("inverse inverse")),
+    Known("a vector's component where a vector is expected", has(VECTOR_PART), rewritten(VECTOR_PART, r"\1 1*\2")),
+    Known("not mended: index around the camera from a finish", has(r"\bior\b"), without("finish ior")),
     Known("macros below version 3.1", has(r"#macro", r"#version 3\.0"), rewritten(r"#version 3\.0", "#version 3.1")),
     Known("spherical camera below version 3.5", has(r"\bspherical\b", r"#version 3\.[01]"), rewritten(r"#version 3\.[01]", "#version 3.5")),
     Known("metallic before a vector's component", has(r"metallic (<|v[a-z]+\()"), rewritten(r"metallic (<|v[a-z]+\().*", "metallic")),
     Known("wide angle of an old orthographic camera", has(r"orthographic", r"angle (200|360)"), rewritten(r"angle (200|360)", "angle 90")),
-    Known("faces in the same place", has(), apart),
 ]
 
 
