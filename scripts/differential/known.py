@@ -109,16 +109,25 @@ def even(root: Node) -> None:
             node.children = [child for child in node.children if not re.match("matrix|transform|scale", child.head)]
 
 
+def steep(root: Node) -> None:
+    """Gives isosurfaces a gradient that bounds most of what the grammar makes."""
+    for node in root.walk():
+        if node.head == "isosurface {":
+            kept = [child for child in node.children if not re.match("max_gradient|evaluate", child.head)]
+            node.children = [kept[0], leaf("max_gradient 300"), *kept[1:]]
+
+
 SHAPES = r"\b(?:object|sphere|box|cylinder|cone|plane|disc|torus|union|merge|intersection|difference|polygon|triangle|quadric) \{"
 
 
 def apart(root: Node) -> None:
     """Moves the objects of a scene and their parts a little, each by another way, so that no faces lie in the same place.
 
-    POV-Ray overlooks what lies less than 0.0001 behind where a ray leaves a surface: the moves are larger than that.
+    POV-Ray overlooks what lies less than 0.0001, for shadows 0.001, behind where a ray leaves a surface: the moves are
+    larger than that, also where they run nearly along the surface.
     """
     for i, node in enumerate(placed(root)):
-        move = f"translate <{13 + 7 * i},{11 + 5 * i},{-17 + 3 * i}>*1e-4"
+        move = f"translate <{13 + 7 * i},{11 + 5 * i},{-17 + 3 * i}>*1e-3"
         if node.tail == "}" and (node.sort == "object" or re.match(SHAPES, node.head)):
             node.children.append(leaf(move))
         else:
@@ -126,7 +135,7 @@ def apart(root: Node) -> None:
     for loop in root.walk():
         if re.search(r"#(for|while) \(Ci", loop.head):
             for copy in [node for node in loop.children if node.tail == "}"]:
-                copy.children.append(leaf("translate <31,-47,23>*1e-4*Ci"))
+                copy.children.append(leaf("translate <31,-47,23>*1e-3*Ci"))
 
 
 def placed(node: Node) -> list[Node]:
@@ -156,11 +165,18 @@ KNOWN = [
     Known("smooth_triangle moved unevenly", has(r"smooth_triangle \{", r"matrix|transform"), even),
     Known("spindle torus", has(r"torus \{"), plump),
     Known("faces in the same place", has(), apart),
+    Known("isosurface with too low a max_gradient", has(r"isosurface \{"), steep),
+    Known("bounded_by too small", has(r"bounded_by"), rewritten(r"^bounded_by \{.*", "")),
+    Known("not understood: sor with sturm, seen through", has(r"sor \{", r"sturm"), spheres("sor")),
+    Known("not understood: mesh in a solid", has(r"\bmesh2? \{", r"intersection|difference|merge"), spheres("mesh", "mesh2")),
+    Known("not understood: parallel area light", has(r"area_light", r"parallel"), rewritten(r"\bparallel\b( point_at (<[^<>]*>|\w+))?")),
+    Known("not understood: Julia set in a solid", has(r"julia_fractal \{", r"intersection|difference|merge"), spheres("julia_fractal")),
     Known("min_extent", has(r"min_extent"), rewritten(r"^box \{ min_extent.*")),
     Known("camera inside an inverted solid", has(r"\binverse\b", r"union|merge|intersection|difference"), upright("inverse")),
+    Known("not mended: index around the camera from a finish", has(r"\bior\b"), without("finish ior")),
+    Known("camera inside a solid of inverted parts", has(r"\binverse\b", r"intersection|difference|merge"), without("inverse")),
     Known("union inverted twice", has(r"inverse inverse"), upright("inverse inverse")),
     Known("a vector's component where a vector is expected", has(VECTOR_PART), rewritten(VECTOR_PART, r"\1 1*\2")),
-    Known("not mended: index around the camera from a finish", has(r"\bior\b"), without("finish ior")),
     Known("macros below version 3.1", has(r"#macro", r"#version 3\.0"), rewritten(r"#version 3\.0", "#version 3.1")),
     Known("spherical camera below version 3.5", has(r"\bspherical\b", r"#version 3\.[01]"), rewritten(r"#version 3\.[01]", "#version 3.5")),
     Known("metallic before a vector's component", has(r"metallic (<|v[a-z]+\()"), rewritten(r"metallic (<|v[a-z]+\().*", "metallic")),

@@ -196,6 +196,8 @@ pub enum PatternKind {
     Square,
     Tiling(u32),
     Triangular,
+    /// `uv_mapping` before a pigment or normal, which is the first entry of a map and looked up at (u, v, 0).
+    Uv,
     Waves,
     Wood,
     Wrinkles,
