@@ -173,7 +173,6 @@ KNOWN = [
     Known("not understood: Julia set in a solid", has(r"julia_fractal \{", r"intersection|difference|merge"), spheres("julia_fractal")),
     Known("min_extent", has(r"min_extent"), rewritten(r"^box \{ min_extent.*")),
     Known("camera inside an inverted solid", has(r"\binverse\b", r"union|merge|intersection|difference"), upright("inverse")),
-    Known("not mended: index around the camera from a finish", has(r"\bior\b"), without("finish ior")),
     Known("camera inside a solid of inverted parts", has(r"\binverse\b", r"intersection|difference|merge"), without("inverse")),
     Known("union inverted twice", has(r"inverse inverse"), upright("inverse inverse")),
     Known("a vector's component where a vector is expected", has(VECTOR_PART), rewritten(VECTOR_PART, r"\1 1*\2")),

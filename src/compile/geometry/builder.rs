@@ -5,7 +5,7 @@
 
 use super::census::{Census, Entry};
 use super::height_field::GridKey;
-use super::inherit::{Context, TextureParts, last_hollow};
+use super::inherit::{Context, TextureParts};
 use super::labels::Labeler;
 use super::primitive::fold;
 use super::quadric_reach::within;
@@ -107,9 +107,11 @@ impl<'a> Builder<'a> {
     /// An object at frame level, or a member of a light group: owns an interior.
     fn place_frame(&mut self, object: &Object, mut around: Context, split: bool, items: &mut GroupBuilder) {
         self.labeler.begin(object);
-        if object.interior.is_none() && !matches!(object.shape, Shape::LightGroup { .. }) {
-            let hollow = last_hollow(object, around.hollow);
-            around.interior = Some(self.interior(Arc::clone(&self.default_interior), hollow));
+        if matches!(object.shape, Shape::LightGroup { .. }) {
+            around.finish_ior = self.last_finish_ior(object, &around);
+        } else if object.interior.is_none() {
+            let default = Arc::clone(&self.default_interior);
+            around.interior = Some(self.interior(&default, object, &around));
         }
         self.place(object, &around, split, items, &mut 0);
     }

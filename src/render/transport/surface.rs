@@ -74,10 +74,7 @@ pub(super) fn shade<'t, G: Gather>(
             return shaded;
         }
         let finish = layer.finish();
-        let relative_ior = || {
-            let legacy = layers.legacy_finish().and_then(|finish| finish.ior);
-            vertex.interiors().relative_ior(&inside_of(world, vertex.surface, legacy))
-        };
+        let relative_ior = || vertex.interiors().relative_ior(&inside_of(world, vertex.surface));
         let mirrors =
             |reflection| finish::reflectivity(reflection, color.rgb, -vertex.view().dot(normal), relative_ior);
         let reflectivity = finish.reflection.as_ref().and_then(mirrors);
