@@ -31,8 +31,9 @@ class Setup:
 class Outcome:
     """What came of a text.
 
-    `kind` is "same", "picture", "only POV-Ray refuses", "only we refuse", "crash", "we hang", "skipped" (POV-Ray
-    crashed or took too long, or both refuse); `message` holds the error of whoever refused.
+    `kind` is "same", "rounding" (`rounding.py`), "picture", "only POV-Ray refuses", "only we refuse", "crash",
+    "we hang", "skipped" (POV-Ray crashed or took too long, or both refuse); `message` holds the error of whoever
+    refused.
     """
 
     kind: str
@@ -42,7 +43,7 @@ class Outcome:
 
     def differs(self) -> bool:
         """Returns whether this is worth a report."""
-        return self.kind not in ("same", "skipped")
+        return self.kind not in ("same", "rounding", "skipped")
 
     def alike(self, other: Outcome) -> bool:
         """Returns whether both show a difference of one kind."""
@@ -62,37 +63,57 @@ def shape(message: str) -> str:
 WORKING = threading.Semaphore(2)
 
 
-def render(command: list[str], folder: Path, limit: float) -> tuple[int | None, str, float]:
-    """Returns exit code (None when it took too long), messages and seconds of a program.
+@dataclass
+class Done:
+    """What a program did: exit code (None when it took too long), messages, seconds, and where its picture is, if any."""
+
+    code: int | None
+    messages: str
+    seconds: float
+    picture: Path | None = None
+
+
+def render(command: list[str], text: str, picture: Path, limit: float) -> Done:
+    """Runs a program on a text, in the folder of the picture that it makes.
 
     `limit` is processor time, so that a busy machine does not look like a slow program; eight times that is the end.
     """
+    picture.parent.mkdir(parents=True, exist_ok=True)
+    (picture.parent / "scene.pov").write_text(text)
+    picture.unlink(missing_ok=True)
     start = time.monotonic()
     bounded = ["prlimit", f"--cpu={limit:.0f}", "nice", "-n", "10", *command]
     try:
-        done = subprocess.run(bounded, cwd=folder, capture_output=True, timeout=8 * limit, stdin=subprocess.DEVNULL)
+        done = subprocess.run(bounded, cwd=picture.parent, capture_output=True, timeout=8 * limit, stdin=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:
-        return None, "took too long", limit
+        return Done(None, "took too long", limit)
     if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        return None, "took too long", limit
-    return done.returncode, (done.stderr + done.stdout).decode(errors="replace"), time.monotonic() - start
+        return Done(None, "took too long", limit)
+    messages = (done.stderr + done.stdout).decode(errors="replace")
+    return Done(done.returncode, messages, time.monotonic() - start, picture if done.returncode == 0 and picture.exists() else None)
 
 
 def try_text(text: str, folder: Path, setup: Setup, alpha: bool = False) -> Outcome:
     """Renders a text with both programs in `folder` and compares what comes out."""
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "scene.pov").write_text(text)
-    for name in ("theirs.exr", "ours.exr"):
-        (folder / name).unlink(missing_ok=True)
-    size = [f"+W{setup.width}", f"+H{setup.height}"]
-    theirs = [setup.povray, "+Iscene.pov", "+Otheirs.exr", "+FE", *size, "-A", "-D", "-P", "-V", "+WT1", "-GS", "-GR", "-GD", f"+L{setup.include}", f"+L{setup.assets}", *(["+UA"] if alpha else [])]
-    ours = [setup.whitted, "render", "scene.pov", "--output", "ours.exr", "-W", str(setup.width), "-H", str(setup.height), "-a", "off", "-t", "1", "--isosurface-search", "povray", "-I", setup.include, "-I", str(setup.assets), *(["--alpha"] if alpha else []), *setup.extra]
-    their_code, their_text, their_seconds = render(theirs, folder, setup.limit)
-    with WORKING:
-        our_code, our_text, our_seconds = render(ours, folder, setup.limit)
-    outcome = judge(their_code, their_text, our_code, our_text, folder)
-    outcome.seconds = (their_seconds, our_seconds)
+    theirs = render_theirs(text, folder, setup, alpha)
+    ours = render_ours(text, folder, setup, alpha)
+    outcome = judge(theirs.code, theirs.messages, ours.code, ours.messages, folder)
+    outcome.seconds = (theirs.seconds, ours.seconds)
     return outcome
+
+
+def render_theirs(text: str, folder: Path, setup: Setup, alpha: bool) -> Done:
+    """Renders a text with POV-Ray to `theirs.exr` in `folder`."""
+    size = [f"+W{setup.width}", f"+H{setup.height}"]
+    command = [setup.povray, "+Iscene.pov", "+Otheirs.exr", "+FE", *size, "-A", "-D", "-P", "-V", "+WT1", "-GS", "-GR", "-GD", f"+L{setup.include}", f"+L{setup.assets}", *(["+UA"] if alpha else [])]
+    return render(command, text, folder / "theirs.exr", setup.limit)
+
+
+def render_ours(text: str, folder: Path, setup: Setup, alpha: bool) -> Done:
+    """Renders a text with whitted to `ours.exr` in `folder`."""
+    command = [setup.whitted, "render", "scene.pov", "--output", "ours.exr", "-W", str(setup.width), "-H", str(setup.height), "-a", "off", "-t", "1", "--isosurface-search", "povray", "-I", setup.include, "-I", str(setup.assets), *(["--alpha"] if alpha else []), *setup.extra]
+    with WORKING:
+        return render(command, text, folder / "ours.exr", setup.limit)
 
 
 def judge(their_code: int | None, their_text: str, our_code: int | None, our_text: str, folder: Path) -> Outcome:

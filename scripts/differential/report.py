@@ -7,7 +7,6 @@ import shutil
 import threading
 from pathlib import Path
 
-import known
 from programs import Outcome
 from tree import Node, features
 
@@ -25,10 +24,12 @@ class Report:
         self.kinds: dict[str, list[str]] = {}
         self.entries: dict[str, tuple[int, str]] = {}
 
-    def add(self, seed: str, root: Node, outcome: Outcome, work: Path, alpha: bool) -> bool:
-        """Notes a reduced scene with the pictures in `work`; returns whether its kind is new."""
+    def add(self, seed: str, root: Node, outcome: Outcome, label: str, work: Path, alpha: bool) -> bool:
+        """Notes a reduced scene with the pictures in `work`; returns whether its kind is new.
+
+        `label` names the known difference that it shows, if any.
+        """
         text = root.text()
-        label = known.name(text, outcome, alpha)
         key = label or f"{outcome.kind} {outcome.verdict.level if outcome.verdict else outcome.message[:50]}: {', '.join(features(root))}"
         with self.lock:
             fresh = key not in self.kinds

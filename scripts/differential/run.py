@@ -28,6 +28,7 @@ from productions_scene import scene
 from programs import Outcome, Setup, shape, try_text
 from reducer import reduce
 from report import Report
+from rounding import without_rounding
 from tree import Node
 
 AREAS = ["shape", "csg", "texture", "pigment", "pattern", "warp", "normal", "finish", "light", "interior", "camera", "air", "gamma", "transform", "language", "legacy", "flags"]
@@ -47,6 +48,7 @@ class Run:
         self.slots: queue.Queue[int] = queue.Queue()
         for slot in range(args.jobs):
             self.slots.put(slot)
+        self.writing = threading.Lock()
         self.reducing = threading.Semaphore(args.reducers)
         self.start = time.monotonic()
 
@@ -59,46 +61,57 @@ class Run:
         alpha = Grammar(seed, "alpha").rng.random() < 0.15
         slot = self.slots.get()
         try:
-            outcome = try_text(root.text(), self.out / f"job{slot}", self.setup, alpha)
-            self.count(seed, outcome)
+            outcome = self.tried(root.text(), slot, alpha)
+            label = self.label(root, outcome, slot, alpha)
+            self.count(f"{area}:{seed}", alpha, outcome, label)
             if outcome.differs():
                 with self.reducing:
-                    self.follow(f"{area}:{seed}", root, outcome, slot, alpha)
+                    self.follow(f"{area}:{seed}", root, outcome, label, slot, alpha)
         finally:
             self.slots.put(slot)
 
-    def follow(self, seed: str, root: Node, outcome: Outcome, slot: int, alpha: bool) -> None:
+    def tried(self, text: str, slot: int, alpha: bool) -> Outcome:
+        """Compares both programs' pictures of a text, without what is rounding."""
+        folder = self.out / f"job{slot}"
+        return without_rounding(text, folder, self.setup, alpha, try_text(text, folder, self.setup, alpha))
+
+    def label(self, root: Node, outcome: Outcome, slot: int, alpha: bool) -> str:
+        """Returns the name of the known difference that a scene has, or nothing."""
+        return known.name(root, outcome, lambda text: self.tried(text, slot, alpha).kind in ("same", "rounding"))
+
+    def follow(self, seed: str, root: Node, outcome: Outcome, label: str, slot: int, alpha: bool) -> None:
         """Reduces a scene that differs and reports it."""
         base = self.out / f"job{slot}"
-        label = known.name(root.text(), outcome, alpha)
         early = label or (outcome.kind + shape(outcome.message) if outcome.message else "")
         if early and self.early[early] >= 2:
             self.early[early] += 1
             return
         if early:
             self.early[early] += 1
-        alpha_matters = alpha and not self.again(root.text(), base / "0", False, outcome, label)
-        keeps = lambda text, worker: self.again(text, base / str(worker), alpha_matters, outcome, label)
+        alpha_matters = alpha and not self.again(root.text(), base / "0", False, outcome)
+        keeps = lambda text, worker: self.again(text, base / str(worker), alpha_matters, outcome)
         small = reduce(root, keeps, workers=6, budget=self.args.budget)
         last = try_text(small.text(), base / "last", self.setup, alpha_matters)
-        fresh = self.report.add(seed, small, last if last.differs() else outcome, base / "last", alpha_matters)
-        print(("NEW  " if fresh else "     ") + f"{seed} {last.line()}", flush=True)
+        label = label or self.label(small, last, slot, alpha_matters)
+        fresh = self.report.add(seed, small, last if last.differs() else outcome, label, base / "last", alpha_matters)
+        print(("NEW  " if fresh else "     ") + f"{seed} {last.line()}{f' [{label}]' if label else ''}", flush=True)
 
-    def again(self, text: str, folder: Path, alpha: bool, outcome: Outcome, label: str) -> bool:
-        """Returns whether a text differs in the way of `outcome`, and is not a known difference that the scene was not."""
+    def again(self, text: str, folder: Path, alpha: bool, outcome: Outcome) -> bool:
+        """Returns whether a text differs in the way of `outcome`, and not by rounding."""
         found = try_text(text, folder, self.setup, alpha)
-        if known.name(text, found, alpha) != label:
-            return False
-        return found.alike(outcome) and (found.verdict is None or found.verdict.overlaps(outcome.verdict))
+        alike = lambda found: found.alike(outcome) and (found.verdict is None or found.verdict.overlaps(outcome.verdict))
+        return alike(found) and alike(without_rounding(text, folder, self.setup, alpha, found, quick=True))
 
-    def count(self, seed: int, outcome: Outcome) -> None:
-        """Counts an outcome."""
-        key = outcome.kind + (f" {outcome.verdict.level}" if outcome.kind == "picture" else "")
-        self.counts[key + (" (both refuse)" if "both refuse" in outcome.message else "")] += 1
-        total = sum(self.counts.values())
-        if outcome.kind == "skipped":
-            with open(self.out / "refused.txt", "a") as log:
-                log.write(f"{seed} {outcome.message}\n")
+    def count(self, seed: str, alpha: bool, outcome: Outcome, label: str) -> None:
+        """Counts an outcome and writes it down, unless both programs agree."""
+        level = f" {outcome.verdict.level}" if outcome.kind == "picture" else ""
+        key = f"known: {label}" if label else outcome.kind + level + (" (both refuse)" if "both refuse" in outcome.message else "")
+        with self.writing:
+            self.counts[key] += 1
+            total = sum(self.counts.values())
+            if outcome.kind != "same":
+                with open(self.out / "outcomes.txt", "a") as log:
+                    log.write(f"{seed}{' +UA' if alpha else ''} {outcome.line()}{f' [{label}]' if label else ''}\n")
         if total % 50 == 0:
             print(f"-- {total}: {dict(self.counts)}", flush=True)
 

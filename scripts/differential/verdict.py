@@ -73,31 +73,45 @@ def solid(mask: np.ndarray) -> np.ndarray:
 
 
 def compare(theirs_path, ours_path) -> Verdict:
-    """Compares two EXR files.
+    """Compares two EXR files."""
+    return judge(load(theirs_path), load(ours_path))
+
+
+def judge(theirs: np.ndarray, ours: np.ndarray) -> Verdict:
+    """Compares two pictures.
 
     Alpha counts as a fourth display channel. Beside the levels of display values there is *slight*: the eye sees
     nothing, but one pixel in fifty, or a whole patch of 3 x 3, is off by more than files in half precision explain,
     or lies above white. Pixels that are not finite in POV-Ray's picture are not judged.
     """
-    theirs, ours = load(theirs_path), load(ours_path)
     if theirs.shape != ours.shape:
         return Verdict("differs", why=f"size {ours.shape} instead of {theirs.shape}")
     void = ~np.isfinite(theirs).all(-1)
-    theirs[void] = ours[void] = 0
-    strange = ~np.isfinite(ours).all(-1) & np.isfinite(theirs).all(-1)
+    theirs, ours = np.where(void[..., None], 0, theirs), np.where(void[..., None], 0, ours)
+    strange = ~np.isfinite(ours).all(-1)
     if strange.any():
         y, x = np.argwhere(strange)[0]
         return Verdict("differs", int(strange.sum()), why=f"not finite at {x},{y}, POV-Ray {theirs[y, x]}")
-    a, b = np.nan_to_num(theirs, posinf=6e4, neginf=-6e4), np.nan_to_num(ours, posinf=6e4, neginf=-6e4)
-    difference = np.abs(shown(a) - shown(b)).max(-1)
-    error = (np.abs(a - b) / (0.003 + np.maximum(np.abs(a), np.abs(b)))).max(-1)
+    difference, error = distances(theirs, ours)
     level = shown_level(difference)
-    off = (difference > 2) | (error > 0.02)
-    if level == "same" and (off.mean() > 0.02 or solid(off).any()):
+    where = off(theirs, ours)
+    if level == "same" and (where.mean() > 0.02 or solid(where).any()):
         level = "slight"
-    score = np.where(solid(off), difference + np.minimum(error, 9) + 1000, difference + np.minimum(error, 9))
+    score = np.where(solid(where), difference + np.minimum(error, 9) + 1000, difference + np.minimum(error, 9))
     y, x = np.unravel_index(np.argmax(score), score.shape)
-    return Verdict(level, int(off.sum()), float(difference.mean()), (int(x), int(y)), tuple(theirs[y, x]), tuple(ours[y, x]), where=off)
+    return Verdict(level, int(where.sum()), float(difference.mean()), (int(x), int(y)), tuple(theirs[y, x]), tuple(ours[y, x]), where=where)
+
+
+def distances(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Returns for each pixel how far two pictures are apart in display values, and relative to the brighter one."""
+    a, b = np.nan_to_num(a, posinf=6e4, neginf=-6e4), np.nan_to_num(b, posinf=6e4, neginf=-6e4)
+    return np.abs(shown(a) - shown(b)).max(-1), (np.abs(a - b) / (0.003 + np.maximum(np.abs(a), np.abs(b)))).max(-1)
+
+
+def off(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Returns which pixels of two pictures show a difference."""
+    difference, error = distances(a, b)
+    return (difference > 2) | (error > 0.02)
 
 
 def shown_level(difference: np.ndarray) -> str:

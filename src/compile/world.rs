@@ -150,7 +150,7 @@ fn settings(settings: &scene::Settings) -> Settings {
         legacy_opacity: settings.version < 370,
         transfer: match settings.gamma {
             Gamma::None => Transfer::Srgb,
-            Gamma::Legacy(working) | Gamma::Linear(working) => transfer(working),
+            Gamma::Linear(working) => transfer(working),
         },
     }
 }

@@ -21,7 +21,7 @@ pub struct Features {
     pub side_by_side_textures: usize,
     /// The same holds for the sky.
     pub side_by_side_sky: bool,
-    /// Interiors that bend, split or fade light, legacy finishes included.
+    /// Interiors that bend, split or fade light.
     pub optical_interiors: usize,
     /// Fogs and rainbows, which end where a ray enters a solid object.
     pub airs: usize,
@@ -52,8 +52,7 @@ impl Features {
             bumpy_textures: textures(|texture| any_layer(texture, |layer| layer.normal.is_some())),
             side_by_side_textures: textures(Texture::is_side_by_side),
             side_by_side_sky: atmosphere.sky.as_ref().is_some_and(Sky::is_side_by_side),
-            optical_interiors: world.interiors.iter().filter(|interior| optical(interior)).count()
-                + textures(Texture::bends_light),
+            optical_interiors: world.interiors.iter().filter(|interior| optical(interior)).count(),
             airs: atmosphere.fogs.len() + atmosphere.rainbows.len(),
             area_lights: lights(|light| light.area.is_some()),
             beamed_lights: lights(|light| light.beam != Beam::Even),

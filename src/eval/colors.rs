@@ -102,7 +102,7 @@ impl Evaluator<'_> {
     /// Takes sRGB values to the gamma the scene works in.
     fn to_working_gamma(&self, v: &mut [f64; 5], span: Span) -> SourceResult<()> {
         let working = match self.scene.settings.gamma {
-            Gamma::Linear(working) | Gamma::Legacy(working) if self.defaults.gamma_given => working,
+            Gamma::Linear(working) if self.defaults.gamma_given => working,
             _ => {
                 return self.error_with_hint(
                     span,

@@ -25,6 +25,9 @@ impl Color {
     /// Opaque black, also the colour of an empty pigment.
     pub const BLACK: Self = Self { rgb: Rgb::ZERO, filter: 0.0, transmit: 0.0 };
 
+    /// White that lets all light through: what a picture shows outside of itself.
+    pub const CLEAR: Self = Self { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
+
     /// An opaque colour.
     pub const fn rgb(red: f32, green: f32, blue: f32) -> Self {
         Self { rgb: Rgb::new(red, green, blue), filter: 0.0, transmit: 0.0 }

@@ -195,6 +195,8 @@ pub enum PatternKind {
     Square,
     Tiling(u32),
     Triangular,
+    /// `uv_mapping` before a pigment or normal, which is the first entry of a map and looked up at (u, v, 0).
+    Uv,
     Waves,
     Wood,
     Wrinkles,
@@ -217,6 +219,12 @@ impl Pattern {
             _ => Wave::Ramp,
         };
         Self { frequency: if kind.has_no_frequency() { 0.0 } else { 1.0 }, wave, kind, ..Self::default() }
+    }
+
+    /// Whether there is anything beside the formula, or what a formula before this one set.
+    pub fn is_modified(&self) -> bool {
+        let moved = !self.warps.is_empty() || self.turbulence.is_some() || self.noise_generator.is_some();
+        moved || self.frequency != 1.0 || self.phase != 0.0 || self.wave != Wave::Ramp
     }
 
     /// Levels of objects and pigments inside one another.

@@ -36,9 +36,7 @@ pub struct Settings {
 pub enum Gamma {
     /// Version below 3.7 without `assumed_gamma`: values are display values (sRGB), pictures are taken as they are.
     None,
-    /// `assumed_gamma` given while the version was below 3.7.
-    Legacy(Working),
-    /// `assumed_gamma` given or implied (1.0) at version 3.7.
+    /// `assumed_gamma` given, or implied (1.0) at version 3.7.
     Linear(Working),
 }
 
@@ -99,6 +97,9 @@ pub struct Image {
     /// How colours related to linear light where the picture was named: its values are brought into that space,
     /// whatever the scene says later.
     pub mode: Gamma,
+    /// Named where a version below 3.7 was in force: a file that says nothing of its colours is taken as it is, not as
+    /// sRGB.
+    pub legacy: bool,
 }
 
 /// Where pixels come from.

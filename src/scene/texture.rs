@@ -73,14 +73,31 @@ pub struct MapEntry<T> {
 pub struct Pigment {
     /// What colour, where.
     pub kind: PigmentKind,
-    /// The colour at quality 5 and below; few have one, and it must not take up room in all others.
-    pub quick_color: Option<Box<Color>>,
-    /// Everything inside is looked up at (u, v, 0).
-    pub uv_mapping: bool,
+    /// What few pigments have.
+    pub rare: Option<Box<RarePigment>>,
     /// Levels of parts inside one another, down from this one; noted once it is complete.
     pub depth: u32,
     /// Its first word, or an empty place if nothing was written.
     pub span: Span,
+}
+
+/// What must not take up room in all pigments.
+#[derive(Clone, Debug, Default)]
+pub struct RarePigment {
+    /// The colour at quality 5 and below.
+    pub quick_color: Option<Color>,
+    /// Modifiers and transformations of a plain colour: a pattern written over it takes them over.
+    pub pattern: Option<Pattern>,
+    /// The map that a plain colour or a picture was written over, with which a pattern after it goes on.
+    pub map: Option<PigmentMap>,
+}
+
+/// The items that a pattern picks from.
+#[derive(Clone, Debug)]
+#[allow(missing_docs)]
+pub enum PigmentMap {
+    Colors(Arc<Blend<Color>>),
+    Pigments(Arc<Blend<Arc<Pigment>>>),
 }
 
 /// The sorts of pigment. Copies that stand elsewhere share everything but the pattern.
@@ -98,13 +115,7 @@ pub enum PigmentKind {
 
 impl Default for Pigment {
     fn default() -> Self {
-        Self {
-            kind: PigmentKind::Solid(Color::BLACK),
-            quick_color: None,
-            uv_mapping: false,
-            depth: 0,
-            span: Span::default(),
-        }
+        Self { kind: PigmentKind::Solid(Color::BLACK), rare: None, depth: 0, span: Span::default() }
     }
 }
 
@@ -169,8 +180,6 @@ pub struct Normal {
     pub accuracy: f32,
     /// Bumps keep their depth when the pattern is scaled.
     pub no_bump_scale: bool,
-    /// Inner normal at (u, v, 0).
-    pub uv_mapping: bool,
     /// As [`Pigment::depth`].
     pub depth: u32,
     /// As [`Pigment::span`].
@@ -277,7 +286,6 @@ impl Default for Normal {
             amount: 0.5,
             accuracy: 0.02,
             no_bump_scale: false,
-            uv_mapping: false,
             depth: 0,
             span: Span::default(),
         }
@@ -322,13 +330,21 @@ impl Pigment {
         Self { kind: PigmentKind::Solid(color), ..Self::default() }
     }
 
-    /// Applies a transformation written after the whole pigment; what is looked up at (u, v, 0) stays.
+    /// What `uv_mapping` makes of a pigment.
+    pub fn at_uv(inner: Arc<Self>) -> Self {
+        let map = Blend::Map(vec![MapEntry { value: 0.0, item: inner.clone() }]);
+        let kind = PigmentKind::Pigments(Pattern::new(PatternKind::Uv).into(), Arc::new(map));
+        Self { kind, rare: None, depth: inner.depth + 1, span: inner.span }
+    }
+
+    /// Applies a transformation written after the whole pigment.
     pub fn apply(&mut self, transform: &Transform) {
-        if self.uv_mapping {
-            return;
-        }
         match &mut self.kind {
-            PigmentKind::Solid(_) => {}
+            PigmentKind::Solid(_) if transform.is_identity() => {}
+            PigmentKind::Solid(_) => {
+                let rare = self.rare.get_or_insert_default();
+                rare.pattern.get_or_insert_with(|| Pattern::new(PatternKind::None)).apply(transform);
+            }
             PigmentKind::Colors(p, _) | PigmentKind::Pigments(p, _) | PigmentKind::Image(p, _) => p.apply(transform),
         }
     }
@@ -344,11 +360,15 @@ impl Normal {
         }
     }
 
-    /// Applies a transformation written after the whole normal; what is looked up at (u, v, 0) stays.
+    /// What `uv_mapping` makes of a normal.
+    pub fn at_uv(inner: Arc<Self>) -> Self {
+        let map = Blend::Map(vec![MapEntry { value: 0.0, item: inner.clone() }]);
+        let kind = NormalKind::Normals(Pattern::new(PatternKind::Uv), map);
+        Self { kind, depth: inner.depth + 1, span: inner.span, ..Self::default() }
+    }
+
+    /// Applies a transformation written after the whole normal.
     pub fn apply(&mut self, transform: &Transform) {
-        if self.uv_mapping {
-            return;
-        }
         match &mut self.kind {
             NormalKind::Pattern(p, _) | NormalKind::Normals(p, _) | NormalKind::BumpMap(p, _) => p.apply(transform),
             NormalKind::Facets { pattern, .. } => pattern.apply(transform),
@@ -364,6 +384,14 @@ impl PatternedTexture {
 }
 
 impl Texture {
+    /// The index of refraction that it gives to an object's interior: by the finish of the top layer.
+    pub fn finish_ior(&self) -> Option<f32> {
+        match self {
+            Self::Patterned(_) => None,
+            Self::Layers(layers) => layers.last()?.finish.ior.filter(|ior| *ior >= 0.0),
+        }
+    }
+
     /// Levels of parts inside one another.
     pub fn depth(&self) -> u32 {
         match self {

@@ -5,7 +5,7 @@
 
 use super::census::{Census, Entry};
 use super::height_field::GridKey;
-use super::inherit::{Context, TextureParts, last_hollow};
+use super::inherit::{Context, TextureParts};
 use super::labels::Labeler;
 use super::primitive::fold;
 use super::quadric_reach::within;
@@ -113,9 +113,11 @@ impl<'a> Builder<'a> {
     /// An object at frame level, or a member of a light group: owns an interior.
     fn place_frame(&mut self, object: &Object, around: &mut Context, split: bool, items: &mut GroupBuilder) {
         self.labeler.begin(object);
-        if object.interior.is_none() && !matches!(object.shape, Shape::LightGroup { .. }) {
-            let hollow = last_hollow(object, around.hollow);
-            around.interior = Some(self.interior(Arc::clone(&self.default_interior), hollow));
+        if matches!(object.shape, Shape::LightGroup { .. }) {
+            around.finish_ior = self.last_finish_ior(object, &around);
+        } else if object.interior.is_none() {
+            let default = Arc::clone(&self.default_interior);
+            around.interior = Some(self.interior(&default, object, &around));
         }
         self.place(object, around, split, items, &mut 0);
     }
@@ -340,7 +342,7 @@ impl<'a> Builder<'a> {
         }
         // Clips and bounds stand in the space around the object and keep their own inversions.
         let clip_context = Context { group_from_parent: around.group_from_parent, ..Context::bare() };
-        node.clips = object.rare.clipped_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
+        node.clips = object.rare.clipped_by.iter().filter_map(|o| self.part(o, &clip_context, id)).collect();
         if (!is_root || keeps_bounds(&object.shape)) && !object.flags.bounds_are_clips {
             node.bounded_by =
                 object.rare.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
@@ -365,6 +367,24 @@ impl<'a> Builder<'a> {
         }
         self.geometry.nodes[own] = node;
         Some(own)
+    }
+
+    /// Builds an object whose inside counts. What has no surface is mostly nowhere, or everywhere when inverted.
+    fn part(&mut self, object: &Object, around: &Context, id: ObjectId) -> Option<NodeId> {
+        let built = self.node(object, around, id, false);
+        if built.is_some() || matches!(object.shape, Shape::LightSource(_)) {
+            return built;
+        }
+        let inside = self.enter(object, around);
+        let appearance = self.add_appearance(inside.appearance(id));
+        // The union of no parts has no inside, their intersection is everywhere.
+        let mut node = Node { appearance, ..Node::placeholder() };
+        let inverse = inside.inverse && !is_patch(&object.shape);
+        if let (true, NodeKind::Csg { operation, .. }) = (inverse != is_everywhere(&object.shape), &mut node.kind) {
+            *operation = Operation::Intersection;
+            (node.extent, node.gap) = (Bounds::INFINITE, Bounds::EMPTY);
+        }
+        Some(self.geometry.nodes.push(node))
     }
 
     /// The part of a box that a node's surface, or its surface and inside, can reach.
@@ -416,7 +436,10 @@ impl<'a> Builder<'a> {
             } else if compiled != Operation::Intersection {
                 around.cutaway_root = None;
             }
-            built.extend(self.node(child, &around, id, false));
+            built.extend(match compiled {
+                Operation::Union => self.node(child, &around, id, false),
+                Operation::Merge | Operation::Intersection => self.part(child, &around, id),
+            });
         }
         let nodes = &self.geometry.nodes;
         let hull = |f: fn(&Node) -> Bounds| built.iter().fold(Bounds::EMPTY, |sum, n| sum.union(&f(&nodes[*n])));
@@ -487,6 +510,15 @@ fn keeps_bounds(shape: &Shape) -> bool {
 fn is_bounded(object: &Object) -> bool {
     let has_bounds = !object.rare.bounded_by.is_empty() && !object.flags.bounds_are_clips;
     has_bounds && (keeps_bounds(&object.shape) || super::extent::shrunken(object).is_some())
+}
+
+/// Whether an equation without a variable holds: all points are inside.
+fn is_everywhere(shape: &Shape) -> bool {
+    match shape {
+        Shape::Quadric { constant, .. } => *constant <= 0.0,
+        Shape::Polynomial { coefficients, .. } => coefficients.iter().all(|c| *c == 0.0),
+        _ => false,
+    }
 }
 
 /// Surfaces without an inside, on which `inverse` has no effect.

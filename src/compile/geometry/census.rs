@@ -18,6 +18,8 @@ pub(super) struct Entry {
     pub(super) light_groups: bool,
     /// Something in it has a texture.
     pub(super) textured: bool,
+    /// Something in it has a finish with an index of refraction.
+    pub(super) finish_ior: bool,
 }
 
 /// Facts about all lists of children, by address.
@@ -44,6 +46,7 @@ impl Census {
             _ => Entry { weight: 1, ..Entry::default() },
         };
         entry.textured |= object.texture.is_some();
+        entry.finish_ior |= object.texture.as_ref().is_some_and(|placed| placed.texture.finish_ior().is_some());
         entry
     }
 
@@ -70,6 +73,7 @@ impl Census {
             sum.lights = sum.lights.saturating_add(one.lights);
             sum.light_groups |= one.light_groups;
             sum.textured |= one.textured;
+            sum.finish_ior |= one.finish_ior;
         }
         self.entries.insert(key, sum);
         sum

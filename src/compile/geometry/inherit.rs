@@ -8,7 +8,7 @@ use crate::compiled::geometry::{
     Appearance, AppearanceId, InteriorId, LightGroupId, NodeId, ObjectId, Placement, PlacementId, RayMask, TextureId,
 };
 use crate::math::Transform;
-use crate::scene::{Object, PlacedTexture, Shape, Texture, TextureLayer};
+use crate::scene::{Interior, Object, PlacedTexture, Shape, Texture, TextureLayer};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
@@ -26,6 +26,8 @@ pub(super) struct Context {
     /// What a leaf without any texture gets; `None` inside shared groups.
     pub(super) default_texture: Option<PlacementId>,
     pub(super) interior: Option<InteriorId>,
+    /// What finishes give to the interiors of a light group's members, which share it.
+    pub(super) finish_ior: Option<f32>,
     pub(super) uv_mapping: bool,
     pub(super) hollow: Option<bool>,
     pub(super) double_illuminate: Option<bool>,
@@ -49,6 +51,7 @@ impl Context {
             interior_texture: None,
             default_texture: None,
             interior: None,
+            finish_ior: None,
             uv_mapping: false,
             hollow: None,
             double_illuminate: None,
@@ -96,10 +99,7 @@ impl Builder<'_> {
         };
         let texture = own(self, &object.texture);
         let interior_texture = own(self, &object.rare.interior_texture);
-        let interior = object.interior.as_ref().map(|i| {
-            let is_hollow = last_hollow(object, around.hollow);
-            self.interior(Arc::clone(i), is_hollow)
-        });
+        let interior = object.interior.as_ref().map(|i| self.interior(i, object, around));
         Context {
             group_from_parent: object.place.then(place),
             inverse: around.inverse != flags.inverse,
@@ -176,9 +176,30 @@ impl Builder<'_> {
     }
 
     /// A new interior, private to the object that asks.
-    pub(super) fn interior(&mut self, interior: Arc<crate::scene::Interior>, hollow: bool) -> InteriorId {
-        self.geometry.hollow.push(hollow);
-        self.interiors.push(interior)
+    pub(super) fn interior(&mut self, interior: &Arc<Interior>, object: &Object, around: &Context) -> InteriorId {
+        self.geometry.hollow.push(last_hollow(object, around.hollow));
+        self.interiors.push(match self.last_finish_ior(object, around) {
+            Some(ior) => Arc::new(Interior { ior: ior.into(), dispersion: 1.0, ..(**interior).clone() }),
+            None => Arc::clone(interior),
+        })
+    }
+
+    /// The index that finishes give to an interior: whoever shares it and is visited last decides, as in POV-Ray.
+    pub(super) fn last_finish_ior(&self, object: &Object, around: &Context) -> Option<f32> {
+        let texture = around.texture.or(around.default_texture);
+        let outer = texture.and_then(|id| self.textures[self.geometry.placements[id].texture].finish_ior());
+        around.finish_ior.or_else(|| self.last_ior(object, outer))
+    }
+
+    fn last_ior(&self, object: &Object, outer: Option<f32>) -> Option<f32> {
+        let own = object.texture.as_ref().map_or(outer, |placed| placed.texture.finish_ior());
+        match &object.shape {
+            Shape::Csg { children, .. } | Shape::LightGroup { children, .. } if self.census.of(children).finish_ior => {
+                let shares = |o: &&Arc<Object>| o.interior.is_none() && !matches!(o.shape, Shape::LightSource(_));
+                children.iter().rev().filter(shares).find_map(|child| self.last_ior(child, own)).or(own)
+            }
+            _ => own,
+        }
     }
 
     /// Notes an appearance.
@@ -200,7 +221,7 @@ fn parts_of(layers: &[TextureLayer]) -> TextureParts {
 }
 
 /// Whether an interior ends up hollow: whoever shares it and is visited last decides.
-pub(super) fn last_hollow(object: &Object, around: Option<bool>) -> bool {
+fn last_hollow(object: &Object, around: Option<bool>) -> bool {
     let (mut object, mut hollow) = (object, object.flags.hollow.or(around));
     while let Shape::Csg { children, .. } | Shape::LightGroup { children, .. } = &object.shape {
         let shares = |o: &&Arc<Object>| o.interior.is_none() && !matches!(o.shape, Shape::LightSource(_));

@@ -30,7 +30,6 @@ pub(super) fn compile(finish: &scene::Finish, settings: &Settings) -> Finish {
             metallic: finish.reflection_metallic,
         }),
         conserve_energy: finish.conserve_energy,
-        ior: finish.ior.map(f64::from),
         caustics: finish.caustics.map(f64::from),
         refraction: finish.refraction,
         uses_lights: finish.diffuse != 0.0

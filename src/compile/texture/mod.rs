@@ -192,7 +192,7 @@ impl<'s> TextureCompiler<'s> {
             pigment,
             normal,
             finish: self.once(&layer.finish, |c| &mut c.finishes, |_| Ok(finish::compile(&layer.finish, settings)))?,
-            quick_color: layer.pigment.quick_color.as_deref().copied(),
+            quick_color: layer.pigment.rare.as_ref().and_then(|rare| rare.quick_color),
         })
     }
 
@@ -209,8 +209,15 @@ impl<'s> TextureCompiler<'s> {
     }
 
     fn whole_pigment(&mut self, pigment: &scene::Pigment) -> Result<Pigment, Refusal> {
-        let compiled = match &pigment.kind {
+        Ok(match &pigment.kind {
             PigmentKind::Solid(color) => Pigment::Solid(*color),
+            PigmentKind::Colors(pattern, colors) if matches!(pattern.kind, scene::PatternKind::Uv) => {
+                Pigment::Solid(colors.items().next().copied().unwrap_or(Color::BLACK))
+            }
+            PigmentKind::Pigments(pattern, list) if matches!(pattern.kind, scene::PatternKind::Uv) => {
+                let inner = list.items().next().ok_or("a map is missing")?;
+                Pigment::Uv(Box::new(self.pigment(inner)?))
+            }
             PigmentKind::Colors(pattern, colors) => {
                 let colors = self.color_blend(&pattern.kind, colors)?;
                 match single_color(&colors) {
@@ -226,8 +233,7 @@ impl<'s> TextureCompiler<'s> {
                 let map = self.once(image, |c| &mut c.image_maps, |c| c.image_map(image))?;
                 Pigment::Image(Box::new(self.pattern(pattern)?), map)
             }
-        };
-        Ok(if pigment.uv_mapping { Pigment::Uv(Box::new(compiled)) } else { compiled })
+        })
     }
 
     fn color_blend(

@@ -24,6 +24,10 @@ impl TextureCompiler<'_> {
                 let linear = pattern.linear();
                 (NormalKind::Pattern(pattern, slopes), linear)
             }
+            scene::NormalKind::Normals(pattern, normals) if matches!(pattern.kind, scene::PatternKind::Uv) => {
+                let inner = normals.items().next().ok_or("a map is missing")?;
+                (NormalKind::Uv(Box::new(self.normal(inner)?)), DMat3::IDENTITY)
+            }
             scene::NormalKind::Normals(pattern, normals) => {
                 let pattern = self.pattern(pattern)?;
                 let normals = self.blend(normals, |compiler, n| compiler.shared_normal(n))?;
@@ -42,17 +46,13 @@ impl TextureCompiler<'_> {
                 (NormalKind::Facets(pattern, Facets { coords: *coords, size: *size, metric: *metric }), linear)
             }
         };
-        let of = |kind, pattern_from_outer| Normal {
+        let mut compiled = Normal {
             kind,
             amount: f64::from(normal.amount),
             accuracy: f64::from(normal.accuracy),
             no_bump_scale: false,
-            pattern_from_outer,
+            pattern_from_outer: linear,
         };
-        let mut compiled = of(kind, linear);
-        if normal.uv_mapping {
-            compiled = of(NormalKind::Uv(Box::new(compiled)), DMat3::IDENTITY);
-        }
         if normal.no_bump_scale {
             compiled.keep_bump_depth();
         }

@@ -47,7 +47,7 @@ impl TextureCompiler<'_> {
             Some(Box::new(InnerTurbulence { amount: t.amount, octaves: octaves(&t), generator }))
         };
         Ok(match &pattern.kind {
-            S::None | S::Average => PatternKind::None,
+            S::None | S::Average | S::Uv => PatternKind::None,
             S::Agate { turbulence } => PatternKind::Agate {
                 generator,
                 octaves: octaves(&pattern.turbulence.unwrap_or_default()),

@@ -129,16 +129,10 @@ fn color_curve(image: &scene::Image, format: ImageFormat, pixels: &Pixels) -> Cu
         _ if pixels.srgb => Some(Working::Srgb),
         _ => pixels.gamma.map(Working::Power),
     };
-    let (working, assumed) = match image.mode {
-        Gamma::None => return Curve { decode: image.gamma, encode: None },
-        Gamma::Legacy(working) => (working, None),
-        Gamma::Linear(working) => (
-            working,
-            match format {
-                ImageFormat::Pnm | ImageFormat::Tiff => None,
-                _ => Some(Working::Srgb),
-            },
-        ),
+    let Gamma::Linear(working) = image.mode else { return Curve { decode: image.gamma, encode: None } };
+    let assumed = match format {
+        ImageFormat::Pnm | ImageFormat::Tiff => None,
+        _ => (!image.legacy).then_some(Working::Srgb),
     };
     match image.gamma.or(own).or(assumed) {
         Some(decode) => Curve { decode: Some(decode), encode: Some(working) },

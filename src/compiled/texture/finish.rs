@@ -36,8 +36,6 @@ pub struct Finish {
     pub reflection: Option<Reflection>,
     /// What is reflected does not go through.
     pub conserve_energy: bool,
-    /// Legacy `finish { ior }`.
-    pub ior: Option<f64>,
     /// Legacy exponent of faked caustics.
     pub caustics: Option<f64>,
     /// Legacy factor of transmitted light.

@@ -269,7 +269,7 @@ impl Raster {
         (if index > n { index % n.max(1) } else { index }).min(n.saturating_sub(1))
     }
 
-    /// `bump_map`: tilts a unit normal by the heights of three neighbouring pixels.
+    /// `bump_map`: tilts a normal by the heights of three neighbouring pixels.
     pub(super) fn bump(&self, mapping: &Mapping, p: DVec3, n: DVec3, amount: f64) -> DVec3 {
         if self.is_empty() {
             return n;
@@ -288,10 +288,12 @@ impl Raster {
         let left = DVec3::new(-1.0, height(-1.0, 1.0), 1.0);
         let right = DVec3::new(1.0, height(1.0, 1.0), 1.0);
         let bump = (right - left).cross(corner - left).normalize_or(DVec3::Y);
-        // POV-Ray's own limit for a normal along y.
+        // POV-Ray's own limits for a normal along y, which it takes to point down where its length is not 1
+        // (`no_bump_scale`).
         let across = n.cross(DVec3::Y);
-        let (x_axis, y_axis) =
-            if across.length() < 1e-10 { (DVec3::X, DVec3::Y * n.y.signum()) } else { (across.normalize(), n) };
+        let along_y = across.length() < 1e-10;
+        let vertical = if (n.y - 1.0).abs() < 1e-10 { DVec3::Y } else { DVec3::NEG_Y };
+        let (x_axis, y_axis) = if along_y { (DVec3::X, vertical) } else { (across.normalize(), n) };
         let z_axis = x_axis.cross(y_axis).normalize_or(DVec3::Z);
         bump.x * x_axis + bump.y * y_axis - bump.z * z_axis
     }

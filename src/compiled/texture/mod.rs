@@ -107,11 +107,6 @@ impl Texture {
         }
     }
 
-    /// Whether a legacy finish gives the object an index of refraction.
-    pub fn bends_light(&self) -> bool {
-        self.top_layer().is_some_and(|top| top.finish.ior.is_some())
-    }
-
     /// Lets bumps keep their depth when they are scaled; of layers, as in POV-Ray, those of the uppermost.
     pub fn keep_bump_depth(&mut self) {
         match self {

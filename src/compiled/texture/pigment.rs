@@ -1,7 +1,7 @@
 //! Colours for points.
 
 use super::{Blend, Context, ImageMap, Pattern, Pick};
-use crate::math::{Color, DVec3, LANES, Points, Rgb, Uv, each_lane};
+use crate::math::{Color, DVec3, LANES, Points, Uv, each_lane};
 use std::sync::Arc;
 
 /// A colour for each point. Copies that stand elsewhere share everything but the pattern.
@@ -18,9 +18,6 @@ pub enum Pigment {
     /// Everything inside is looked up at (u, v, 0).
     Uv(Box<Pigment>),
 }
-
-/// White and clear: what a picture shows outside of itself.
-const CLEAR: Color = Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
 
 /// From so many patterns on finding the colours of neighbours together gains more than bringing them together costs,
 /// even without noise (measured).
@@ -45,7 +42,7 @@ impl Pigment {
     pub fn color_or_clear(&self, point: DVec3, context: &Context) -> Color {
         match self {
             Self::Colors(pattern, colors) => blended(pattern, colors, point, context),
-            _ => self.color(point, context).unwrap_or(CLEAR),
+            _ => self.color(point, context).unwrap_or(Color::CLEAR),
         }
     }
 
@@ -83,7 +80,7 @@ impl Pigment {
             }
             Self::Image(pattern, image) => {
                 let warped = pattern.warp_points(points);
-                each_lane(|i| image.color(warped.lane(i)).unwrap_or(CLEAR))
+                each_lane(|i| image.color(warped.lane(i)).unwrap_or(Color::CLEAR))
             }
             Self::Uv(pigment) => pigment.colors(&each_lane(|i| uvs[i].lookup_point()).into(), uvs),
         }
@@ -197,6 +194,7 @@ fn weighted_sum(items: impl Iterator<Item = (f32, Color)>) -> Color {
 mod tests {
     use super::super::PatternKind;
     use super::*;
+    use crate::math::Rgb;
 
     fn check(pigment: &Pigment, x: f64, expected: [f32; 5]) {
         let found = pigment.color(DVec3::new(x, 0.0, 0.0), &Context::default()).unwrap();

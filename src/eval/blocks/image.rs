@@ -43,6 +43,7 @@ impl Evaluator<'_> {
                 gamma: None,
                 premultiplied: None,
                 mode: self.scene.settings.gamma,
+                legacy: self.effective_version() < 370,
             });
         }
         if self.starts_expression()? {
@@ -52,7 +53,7 @@ impl Evaluator<'_> {
             self.warn(Topic::Ignored, span, "an orientation vector before the file name has no effect");
         }
         let (source, span) = self.image_file()?;
-        let mode = self.scene.settings.gamma;
+        let (mode, legacy) = (self.scene.settings.gamma, self.effective_version() < 370);
         let (mut gamma, mut premultiplied) = (None, None);
         loop {
             if self.accept(K::Gamma)? {
@@ -60,7 +61,7 @@ impl Evaluator<'_> {
             } else if self.accept(K::Premultiplied)? {
                 premultiplied = Some(self.optional_bool()?);
             } else {
-                return Ok(Image { span, source, gamma, premultiplied, mode });
+                return Ok(Image { span, source, gamma, premultiplied, mode, legacy });
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
-use crate::scene::{Blend, Normal, NormalKind, Pattern, PatternKind};
+use crate::scene::{Blend, MapEntry, Normal, NormalKind, Pattern, PatternKind};
 use crate::stack::roomy;
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
@@ -37,14 +37,9 @@ impl Evaluator<'_> {
     fn whole_normal(&mut self, start: Option<Arc<Normal>>) -> SourceResult<Arc<Normal>> {
         let span = self.peek()?.span;
         let mut normal = start.map(|n| (*n).clone()).unwrap_or_default();
-        if self.accept(K::UvMapping)? {
-            normal.uv_mapping = true;
-        }
         let pick = |v: &Value| if let Value::Normal(n) = v { Some(n.clone()) } else { None };
         if let Some(known) = self.take_declared(pick)? {
-            let uv_mapping = normal.uv_mapping;
             normal = (*known).clone();
-            normal.uv_mapping |= uv_mapping;
         }
         while self.normal_item(&mut normal)? {}
         normal.span = span;
@@ -107,7 +102,9 @@ impl Evaluator<'_> {
             }
             Some(K::UvMapping) => {
                 self.next()?;
-                normal.uv_mapping = true;
+                let pattern = Pattern { kind: PatternKind::Uv, ..take_pattern(&mut normal.kind) };
+                let inner = self.normal_items(self.defaults.layer.normal.clone())?;
+                normal.kind = NormalKind::Normals(pattern, Blend::Map(vec![MapEntry { value: 0.0, item: inner }]));
             }
             _ => return self.normal_pattern(normal),
         }

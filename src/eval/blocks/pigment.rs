@@ -3,7 +3,10 @@
 use crate::diag::{SourceResult, Span};
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
-use crate::scene::{Blend, ImageMap, MapEntry, MapType, Pattern, PatternKind, Pigment, PigmentKind, default_colors};
+use crate::scene::{
+    Blend, ImageMap, MapEntry, MapType, Pattern, PatternKind, Pigment, PigmentKind, PigmentMap, RarePigment,
+    default_colors,
+};
 use crate::stack::roomy;
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
@@ -12,75 +15,92 @@ use std::sync::Arc;
 struct Draft {
     pattern: Pattern,
     content: Content,
-    quick_color: Option<Box<Color>>,
-    uv_mapping: bool,
+    /// The map under a plain colour or a picture.
+    map: Option<PigmentMap>,
+    quick_color: Option<Color>,
 }
 
 enum Content {
     Solid(Color),
-    Colors(Arc<Blend<Color>>),
-    Pigments(Arc<Blend<Arc<Pigment>>>),
+    Map(PigmentMap),
     Image(Arc<ImageMap>),
 }
 
 impl Draft {
     fn new(pigment: Pigment) -> Self {
+        let rare = pigment.rare.map(|rare| *rare).unwrap_or_default();
+        let plain = || Pattern::new(PatternKind::None);
         let (pattern, content) = match pigment.kind {
-            PigmentKind::Solid(color) => (Pattern::new(PatternKind::None), Content::Solid(color)),
-            PigmentKind::Colors(pattern, colors) => (*pattern, Content::Colors(colors)),
-            PigmentKind::Pigments(pattern, pigments) => (*pattern, Content::Pigments(pigments)),
+            PigmentKind::Solid(color) => (rare.pattern.unwrap_or_else(plain), Content::Solid(color)),
+            PigmentKind::Colors(pattern, colors) => (*pattern, Content::Map(PigmentMap::Colors(colors))),
+            PigmentKind::Pigments(pattern, pigments) => (*pattern, Content::Map(PigmentMap::Pigments(pigments))),
             PigmentKind::Image(pattern, image) => (*pattern, Content::Image(image)),
         };
-        Self { pattern, content, quick_color: pigment.quick_color, uv_mapping: pigment.uv_mapping }
+        Self { pattern, content, map: rare.map, quick_color: rare.quick_color }
     }
 
     fn finish(self, span: Span) -> Pigment {
+        let mut rare = RarePigment { quick_color: self.quick_color, pattern: None, map: self.map };
         let kind = match self.content {
-            Content::Solid(color) => PigmentKind::Solid(color),
-            Content::Colors(colors) => PigmentKind::Colors(self.pattern.into(), colors),
-            Content::Pigments(pigments) => PigmentKind::Pigments(self.pattern.into(), pigments),
+            Content::Solid(color) => {
+                rare.pattern = self.pattern.is_modified().then_some(self.pattern);
+                PigmentKind::Solid(color)
+            }
+            Content::Map(PigmentMap::Colors(colors)) => PigmentKind::Colors(self.pattern.into(), colors),
+            Content::Map(PigmentMap::Pigments(pigments)) => PigmentKind::Pigments(self.pattern.into(), pigments),
             Content::Image(image) => PigmentKind::Image(self.pattern.into(), image),
         };
-        Pigment { kind, quick_color: self.quick_color, uv_mapping: self.uv_mapping, depth: 0, span }
+        let any = rare.quick_color.is_some() || rare.pattern.is_some() || rare.map.is_some();
+        Pigment { kind, rare: any.then(|| rare.into()), depth: 0, span }
     }
 
     /// After a pattern keyword with the items of a block pattern, if there are some.
     ///
     /// A block pattern without items shows its own colours. Others go on with the entries that are there, whatever
     /// pattern they were written for: items of a block pattern stand at 0, 1, 2 and so on, as in POV-Ray.
-    fn adopt_pattern(&mut self, list: Option<Content>) {
+    fn adopt_pattern(&mut self, list: Option<PigmentMap>) {
         let block = self.pattern.kind.n_blocks().is_some();
         let average = matches!(self.pattern.kind, PatternKind::Average);
-        let old = list.unwrap_or_else(|| match std::mem::replace(&mut self.content, Content::Solid(Color::BLACK)) {
-            _ if block => Content::colors(Blend::List(Vec::new())),
-            old => old,
-        });
-        self.content = match old {
-            Content::Colors(colors) if block && matches!(*colors, Blend::List(_)) => {
+        let hidden = self.map.take();
+        let old = match std::mem::replace(&mut self.content, Content::Solid(Color::BLACK)) {
+            _ if list.is_some() => list,
+            _ if block => Some(PigmentMap::colors(Blend::List(Vec::new()))),
+            Content::Map(map) => Some(map),
+            Content::Solid(_) | Content::Image(_) => hidden,
+        };
+        self.content = Content::Map(match old.unwrap_or_else(|| PigmentMap::colors(Blend::Default)) {
+            PigmentMap::Colors(colors) if block && matches!(*colors, Blend::List(_)) => {
                 let mut colors = entries(Arc::unwrap_or_clone(colors)).unwrap_or_default();
                 let have = colors.len();
                 colors.extend(default_colors(&self.pattern.kind).into_iter().skip(have));
-                Content::colors(Blend::List(colors.into_iter().map(|entry| entry.item).collect()))
+                PigmentMap::colors(Blend::List(colors.into_iter().map(|entry| entry.item).collect()))
             }
             listed if block => listed,
-            Content::Colors(colors) if matches!(*colors, Blend::Map(_)) => Content::Colors(colors),
-            Content::Colors(colors) => {
-                Content::colors(entries(Arc::unwrap_or_clone(colors)).map_or(Blend::Default, Blend::Map))
+            PigmentMap::Colors(colors) if matches!(*colors, Blend::Map(_)) => PigmentMap::Colors(colors),
+            PigmentMap::Colors(colors) => {
+                PigmentMap::colors(entries(Arc::unwrap_or_clone(colors)).map_or(Blend::Default, Blend::Map))
             }
-            Content::Pigments(pigments) if !average && matches!(*pigments, Blend::Map(_)) => {
-                Content::Pigments(pigments)
+            PigmentMap::Pigments(pigments) if !average && matches!(*pigments, Blend::Map(_)) => {
+                PigmentMap::Pigments(pigments)
             }
-            Content::Pigments(pigments) => match entries(Arc::unwrap_or_clone(pigments)) {
-                Some(entries) if average => Content::pigments(Blend::Average(entries)),
-                Some(entries) => Content::pigments(Blend::Map(entries)),
-                None => Content::colors(Blend::Default),
+            PigmentMap::Pigments(pigments) => match entries(Arc::unwrap_or_clone(pigments)) {
+                Some(entries) if average => PigmentMap::pigments(Blend::Average(entries)),
+                Some(entries) => PigmentMap::pigments(Blend::Map(entries)),
+                None => PigmentMap::colors(Blend::Default),
             },
-            Content::Solid(_) | Content::Image(_) => Content::colors(Blend::Default),
-        };
+        });
+    }
+
+    /// Shows a plain colour or a picture; the map that it hides stays for a pattern written after it.
+    fn hide_map(&mut self, shown: Content) {
+        if let Content::Map(map) = std::mem::replace(&mut self.content, shown) {
+            self.map = Some(map);
+        }
+        self.pattern.kind = PatternKind::None;
     }
 }
 
-impl Content {
+impl PigmentMap {
     fn colors(colors: Blend<Color>) -> Self {
         Self::Colors(Arc::new(colors))
     }
@@ -118,14 +138,9 @@ impl Evaluator<'_> {
     fn whole_pigment(&mut self, start: Pigment) -> SourceResult<Pigment> {
         let span = self.peek()?.span;
         let mut draft = Draft::new(start);
-        if self.accept(K::UvMapping)? {
-            draft = self.uv_mapped();
-        }
         let pick = |v: &Value| if let Value::Pigment(p) = v { Some(p.clone()) } else { None };
         if let Some(pigment) = self.take_declared(pick)? {
-            let uv_mapping = draft.uv_mapping;
             draft = Draft::new((*pigment).clone());
-            draft.uv_mapping |= uv_mapping;
         }
         while self.pigment_item(&mut draft)? {}
         let mut pigment = draft.finish(span);
@@ -133,40 +148,39 @@ impl Evaluator<'_> {
         Ok(pigment)
     }
 
-    /// What `uv_mapping` starts from: the `#default` pigment, whatever was written before (measured).
-    fn uv_mapped(&self) -> Draft {
-        Draft { uv_mapping: true, ..Draft::new((*self.defaults.layer.pigment).clone()) }
-    }
-
     fn pigment_item(&mut self, draft: &mut Draft) -> SourceResult<bool> {
         match self.keyword()? {
             Some(K::ImageMap) => {
                 self.next()?;
-                draft.content = Content::Image(Arc::new(self.image_map()?));
-                draft.pattern.kind = PatternKind::None;
+                let image = Content::Image(Arc::new(self.image_map()?));
+                draft.hide_map(image);
                 return Ok(true);
             }
             Some(K::ColorMap | K::ColourMap) => {
                 self.check_pigment_map(draft, "color_map", false)?;
                 self.next()?;
-                draft.content = Content::colors(Blend::Map(self.color_map()?));
+                draft.content = Content::Map(PigmentMap::colors(Blend::Map(self.color_map()?)));
                 return Ok(true);
             }
             Some(K::PigmentMap) => {
                 self.check_pigment_map(draft, "pigment_map", true)?;
                 self.next()?;
                 let average = matches!(draft.pattern.kind, PatternKind::Average);
-                draft.content = Content::pigments(self.pigment_map(average)?);
+                draft.content = Content::Map(PigmentMap::pigments(self.pigment_map(average)?));
                 return Ok(true);
             }
             Some(K::QuickColor | K::QuickColour) => {
                 self.next()?;
-                draft.quick_color = Some(Box::new(self.color()?));
+                draft.quick_color = Some(self.color()?);
                 return Ok(true);
             }
             Some(K::UvMapping) => {
                 self.next()?;
-                *draft = self.uv_mapped();
+                // All that follows is of another pigment, which starts from the `#default` one (measured).
+                let inner = self.pigment_items((*self.defaults.layer.pigment).clone())?;
+                let map = Blend::Map(vec![MapEntry { value: 0.0, item: Arc::new(inner) }]);
+                draft.content = Content::Map(PigmentMap::pigments(map));
+                draft.pattern.kind = PatternKind::Uv;
                 return Ok(true);
             }
             _ => {}
@@ -181,7 +195,8 @@ impl Evaluator<'_> {
             return Ok(true);
         }
         if self.starts_color()? {
-            draft.content = Content::Solid(self.color()?);
+            let color = Content::Solid(self.color()?);
+            draft.hide_map(color);
             return Ok(true);
         }
         self.pattern_modifier(&mut draft.pattern)
@@ -196,7 +211,7 @@ impl Evaluator<'_> {
     }
 
     /// The items of a block pattern: all colours or all pigments.
-    fn pigment_list(&mut self, n: usize) -> SourceResult<Option<Content>> {
+    fn pigment_list(&mut self, n: usize) -> SourceResult<Option<PigmentMap>> {
         self.comma()?;
         if self.keyword()? == Some(K::Pigment) {
             let mut pigments = Vec::new();
@@ -206,14 +221,14 @@ impl Evaluator<'_> {
                 self.comma()?;
             }
             pigments.resize(n, self.defaults.layer.pigment.clone());
-            return Ok(Some(Content::pigments(Blend::List(pigments))));
+            return Ok(Some(PigmentMap::pigments(Blend::List(pigments))));
         }
         let mut colors = Vec::new();
         while colors.len() < n && self.starts_color()? {
             colors.push(self.color()?);
             self.comma()?;
         }
-        Ok((!colors.is_empty()).then(|| Content::colors(Blend::List(colors))))
+        Ok((!colors.is_empty()).then(|| PigmentMap::colors(Blend::List(colors))))
     }
 
     /// `image_map { … }`, after the word.

@@ -28,8 +28,7 @@ impl Evaluator<'_> {
                     return Ok(true);
                 }
                 self.defaults.gamma_given = true;
-                let modern = self.effective_version() >= 370;
-                self.scene.settings.gamma = if modern { Gamma::Linear(working) } else { Gamma::Legacy(working) };
+                self.scene.settings.gamma = Gamma::Linear(working);
             }
             K::AmbientLight => {
                 self.next()?;

@@ -2,7 +2,7 @@
 
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
-use crate::scene::{Blend, Pattern, PatternKind, PatternedTexture, Texture, TextureLayer};
+use crate::scene::{Blend, Normal, Pattern, PatternKind, PatternedTexture, Pigment, Texture, TextureLayer};
 use crate::stack::roomy;
 use crate::syntax::{Keyword as K, TokenKind};
 use std::sync::Arc;
@@ -52,10 +52,8 @@ impl Evaluator<'_> {
         if let (true, Texture::Layers(layers)) = (uv_mapping, &mut texture) {
             // Before a plain texture's parts: each of them is looked up at (u, v, 0).
             for layer in layers {
-                Arc::make_mut(&mut layer.pigment).uv_mapping = true;
-                if let Some(normal) = &mut layer.normal {
-                    Arc::make_mut(normal).uv_mapping = true;
-                }
+                layer.pigment = Arc::new(Pigment::at_uv(layer.pigment.clone()));
+                layer.normal = layer.normal.take().map(|normal| Arc::new(Normal::at_uv(normal)));
             }
         }
         Ok(Arc::new(texture))

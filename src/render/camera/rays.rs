@@ -5,7 +5,7 @@
 use crate::compiled::camera::{Camera, Projection};
 use crate::compiled::texture::{Context, Frame};
 use crate::math::{DMat3, DVec3, Ray};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A ray before its direction is normalised, and where a camera normal is looked up.
 pub(in crate::render) struct RawRay {
@@ -37,11 +37,11 @@ impl RawRay {
                 let (x, y) = (2.0 * s * width(), 2.0 * t * height());
                 let distance = x.hypot(y);
                 let (phi, theta) = (y.atan2(x), distance * angle * 0.5);
-                if distance > 1.0 { None } else { here(on_dome(axes(), phi, theta), [phi, theta]) }
+                if distance > 1.0 { None } else { here(on_dome(axes(), phi, theta), [dome_lookup(phi), theta]) }
             }
             Projection::Omnimax => {
                 let (phi, theta) = omnimax(s, t, width() / height())?;
-                here(on_dome(axes(), phi, theta), [phi, theta])
+                here(on_dome(axes(), phi, theta), [dome_lookup(phi), theta])
             }
             Projection::Panoramic => {
                 let (a, b) = (PI * (0.5 - s), PI * t);
@@ -103,6 +103,11 @@ impl RawRay {
 /// Polar coordinates around the view direction.
 fn on_dome((d, r, u): (DVec3, DVec3, DVec3), phi: f64, theta: f64) -> DVec3 {
     phi.cos() * theta.sin() * r + phi.sin() * theta.sin() * u + theta.cos() * d
+}
+
+/// The polar angle by which a camera normal is looked up: from -90 to 270 degrees, as POV-Ray measures it.
+fn dome_lookup(phi: f64) -> f64 {
+    if phi < -FRAC_PI_2 { phi + TAU } else { phi }
 }
 
 fn omnimax(s: f64, t: f64, aspect: f64) -> Option<(f64, f64)> {

@@ -65,7 +65,9 @@ fn arriving(
     if light.shadowless || !options.shadows() {
         return color;
     }
-    let fogged = light.media_attenuation && options.atmosphere() && !worker.world().atmosphere.fogs.is_empty();
+    // Behind the plane of a parallel light, at a negative distance, there is no fog (measured).
+    let fogged = light.media_attenuation && distance > 0.0;
+    let fogged = fogged && options.atmosphere() && !worker.world().atmosphere.fogs.is_empty();
     let way = Way { direction, reach, fogged: fogged.then_some(distance), light: index };
     color_after(worker, vertex, way, color)
 }
@@ -118,7 +120,7 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
             color *= fog(&ray, Some(hit.t), interiors);
             *length -= hit.t;
         }
-        let fade = match interiors.cross(inside_of(world, &surface, None)).leaving {
+        let fade = match interiors.cross(inside_of(world, &surface)).leaving {
             true => world.interior(surface.interior.interior).fade.filter(|f| f.power > 0.0),
             false => None,
         };

@@ -121,16 +121,18 @@ fn transmittance_of(fog: &Fog, ray: &Ray, length: f64) -> f32 {
 }
 
 /// Mean density of a ground fog along a ray, 1 below its offset.
+///
+/// Without an altitude the offset's own height is not a number, which counts as above, as in POV-Ray.
 fn mean_density(fog: &Fog, ray: &Ray, length: f64) -> f64 {
     let height = |p: DVec3| (p.dot(fog.up) - fog.offset) / fog.altitude;
     let (a, e) = (height(ray.origin), height(ray.at(length)));
     let partly = |low: f64, high: f64| (high.atan() - low) / (high - low);
-    match (a > 0.0, e > 0.0) {
-        (false, false) => 1.0,
-        (false, true) => partly(a, e),
-        (true, false) => partly(e, a),
-        (true, true) if (a - e).abs() > LEVEL => (a.atan() - e.atan()) / (a - e),
-        (true, true) => 1.0 / (a * a + 1.0),
+    match (a <= 0.0, e <= 0.0) {
+        (true, true) => 1.0,
+        (true, false) => partly(a, e),
+        (false, true) => partly(e, a),
+        (false, false) if (a - e).abs() > LEVEL => (a.atan() - e.atan()) / (a - e),
+        (false, false) => 1.0 / (a * a + 1.0),
     }
 }
 

@@ -27,7 +27,7 @@ pub(super) struct Inside {
 /// How much slower light is than outside of everything.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct RefractiveIndex {
-    /// In the middle of the spectrum, with legacy finishes worked in.
+    /// In the middle of the spectrum.
     pub(super) ior: f64,
     /// Ratio of the indices for violet and red.
     pub(super) dispersion: f64,
@@ -128,13 +128,10 @@ impl Interiors {
     }
 }
 
-/// What fills the object of a surface; a legacy finish may give it another index.
-pub(super) fn inside_of(world: &World, surface: &Surface, legacy_ior: Option<f64>) -> Inside {
+/// What fills the object of a surface.
+pub(super) fn inside_of(world: &World, surface: &Surface) -> Inside {
     let interior = world.interior(surface.interior.interior);
-    let index = match legacy_ior {
-        Some(ior) => RefractiveIndex { ior, dispersion: 1.0 },
-        None => RefractiveIndex { ior: interior.ior, dispersion: interior.dispersion },
-    };
+    let index = RefractiveIndex { ior: interior.ior, dispersion: interior.dispersion };
     Inside { key: surface.interior, hollow: surface.hollow, index }
 }
 

@@ -67,7 +67,7 @@ impl Refraction {
         let surface = vertex.surface;
         let interior = world.interior(surface.interior.interior);
         let mut interiors = vertex.interiors().clone();
-        let crossing = interiors.cross(inside_of(world, surface, boundary.legacy.and_then(|finish| finish.ior)));
+        let crossing = interiors.cross(inside_of(world, surface));
         let factor = boundary.legacy.map_or(interior.refraction, |finish| finish.refraction.unwrap_or(1.0));
         let mut attenuation = Rgb::splat(factor);
         if let Some(fade) = interior.fade.filter(|_| crossing.leaving) {

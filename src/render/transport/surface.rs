@@ -3,7 +3,7 @@
 //! Source: sections 2 and 6 of the shading facts (measured).
 
 use super::secondary::Boundary;
-use crate::math::{DVec3, Rgb, gray};
+use crate::math::{Color, DVec3, Rgb, gray};
 use crate::render::film::{Gather, Term};
 use crate::render::light::{ArrivingLight, direct_light};
 use crate::render::medium::inside_of;
@@ -67,17 +67,14 @@ pub(super) fn shade<'t, G: Gather>(
             top_normal = normal;
         }
         let pigment = layer.color(lookup, options);
-        let color = pigment.unwrap_or_default();
+        let color = pigment.unwrap_or(Color::CLEAR);
         if options.flat() {
             shaded.found.add(Term::Emission, Radiance::opaque(color.rgb));
             shaded.found.note_shading(normal, color.rgb);
             return shaded;
         }
         let finish = layer.finish();
-        let relative_ior = || {
-            let legacy = layers.legacy_finish().and_then(|finish| finish.ior);
-            vertex.interiors().relative_ior(&inside_of(world, vertex.surface, legacy))
-        };
+        let relative_ior = || vertex.interiors().relative_ior(&inside_of(world, vertex.surface));
         let mirrors =
             |reflection| finish::reflectivity(reflection, color.rgb, -vertex.view().dot(normal), relative_ior);
         let reflectivity = finish.reflection.as_ref().and_then(mirrors);

@@ -139,7 +139,8 @@ fn half_x() -> Function {
 fn height_fields() {
     let function = Arc::new(half_x());
     let source = ImageSource::Function { width: 5, height: 5, function };
-    let image = Image { span: Span::default(), source, gamma: None, premultiplied: None, mode: Gamma::None };
+    let image =
+        Image { span: Span::default(), source, gamma: None, premultiplied: None, mode: Gamma::None, legacy: true };
     let field = object(Shape::HeightField(Arc::new(HeightField { image, water_level: 0.0, smooth: false })));
     let normal = v(-0.447_169_921, 0.894_427_047, 0.0);
     let close = |x: f64, y: f64| {
