@@ -114,10 +114,10 @@ impl<'a> Builder<'a> {
     fn place_frame(&mut self, object: &Object, around: &mut Context, split: bool, items: &mut GroupBuilder) {
         self.labeler.begin(object);
         if matches!(object.shape, Shape::LightGroup { .. }) {
-            around.finish_ior = self.last_finish_ior(object, &around);
+            around.finish_ior = self.last_finish_ior(object, around);
         } else if object.interior.is_none() {
             let default = Arc::clone(&self.default_interior);
-            around.interior = Some(self.interior(&default, object, &around));
+            around.interior = Some(self.interior(&default, object, around));
         }
         self.place(object, around, split, items, &mut 0);
     }

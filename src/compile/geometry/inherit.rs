@@ -9,6 +9,7 @@ use crate::compiled::geometry::{
 };
 use crate::math::Transform;
 use crate::scene::{Interior, Object, PlacedTexture, Shape, Texture, TextureLayer};
+use crate::stack::roomy;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
@@ -115,6 +116,7 @@ impl Builder<'_> {
             no_shadow: around.no_shadow || flags.no_shadow,
             cutaway: around.cutaway || flags.cutaway_textures,
             default_texture: around.default_texture,
+            finish_ior: around.finish_ior,
             cutaway_root: around.cutaway_root,
             light_group: around.light_group,
         }
@@ -196,7 +198,7 @@ impl Builder<'_> {
         match &object.shape {
             Shape::Csg { children, .. } | Shape::LightGroup { children, .. } if self.census.of(children).finish_ior => {
                 let shares = |o: &&Arc<Object>| o.interior.is_none() && !matches!(o.shape, Shape::LightSource(_));
-                children.iter().rev().filter(shares).find_map(|child| self.last_ior(child, own)).or(own)
+                children.iter().rev().filter(shares).find_map(|child| roomy(|| self.last_ior(child, own))).or(own)
             }
             _ => own,
         }
