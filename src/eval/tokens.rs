@@ -184,6 +184,7 @@ impl Evaluator<'_> {
 
     /// The levels inside something that is complete, if they are not too many; declarations build them without nesting
     /// any text.
+    #[inline]
     pub(super) fn nested(&self, depth: u32, span: Span) -> SourceResult<u32> {
         let limit = self.options.limits.nesting;
         if depth as usize > limit {

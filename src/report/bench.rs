@@ -269,8 +269,9 @@ mod tests {
     #[test]
     fn programs_take_turns() {
         let ladders = ladder::all(&Census::default(), true);
-        let programs: Vec<Program> = turns(&ladders)[6..10].iter().map(|(l, _)| ladders[*l].program).collect();
-        assert_eq!(programs, [Program::Whitted, Program::Whitted, Program::PovRay, Program::PovRay]);
+        let programs: Vec<Program> = turns(&ladders)[7..12].iter().map(|(l, _)| ladders[*l].program).collect();
+        let (ours, theirs) = (Program::Whitted, Program::PovRay);
+        assert_eq!(programs, [ours, ours, ours, theirs, theirs]);
         let all: usize = ladders.iter().map(|ladder| ladder.rungs.len()).sum();
         assert_eq!(turns(&ladders).len(), all);
     }

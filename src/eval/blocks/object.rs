@@ -24,11 +24,11 @@ impl Evaluator<'_> {
         }
     }
 
-    /// The same for an object that is to stand by itself.
+    /// The same for an object that is to stand by itself: in no other, so it needs no room beyond its own.
     pub(super) fn own_object(&mut self) -> SourceResult<Option<Object>> {
         match self.declared_object()? {
             Some(object) => Ok(Some(Arc::unwrap_or_clone(object))),
-            None => self.object_block(),
+            None => self.object_in_braces(),
         }
     }
 

@@ -169,13 +169,12 @@ mod tests {
 
     #[test]
     fn the_truth_lies_between_the_halves_half_of_the_time() {
-        // As for any two independent values with a symmetric distribution about it; of a sum over many points in curved
-        // or wavy integrands that is nearly so. The standard deviation of 10,000 throws is 0.005.
-        for (f, truth) in [INTEGRANDS[2], INTEGRANDS[4]] {
-            let [a, b] = [0, 1].map(|half| means(f, 16, Purpose::Picture(half)));
-            let between = a.zip(b).filter(|(a, b)| (a - truth) * (b - truth) <= 0.0).count();
-            assert!((4_700..5_300).contains(&between), "{between} of 10000");
-        }
+        // As for any two independent values with a symmetric distribution about it, which that of a sum over many points
+        // of waves nearly has. The standard deviation of 10,000 throws is 50.
+        let (f, truth) = INTEGRANDS[4];
+        let [a, b] = [0, 1].map(|half| means(f, 16, Purpose::Picture(half)));
+        let between = a.zip(b).filter(|(a, b)| (a - truth) * (b - truth) <= 0.0).count();
+        assert!((4_800..5_200).contains(&between), "{between} of 10000");
     }
 
     #[test]

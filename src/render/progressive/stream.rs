@@ -50,7 +50,8 @@ impl Stream {
     /// Another point beside it, which is spread as evenly: a place on the lens.
     pub(super) fn second_point(self, i: u32) -> [f64; 2] {
         let seed = hashed(self.seed);
-        net(scrambled(i.reverse_bits(), seed as u32), hashed(seed))
+        // The order of the points is another, so that a sample's two have nothing to do with one another.
+        net(scrambled(i, seed as u32), hashed(seed))
     }
 }
 
