@@ -209,7 +209,10 @@ impl Object {
 
     /// What [`depth`](Self::depth) is to be, from the parts.
     pub fn depth_of_parts(&self) -> u32 {
-        // In plain loops, as this is asked of each object that is read, and most have few parts or none.
+        // This is asked of each object that is read, and most have nothing in them.
+        if self.texture.is_none() && self.rare.0.is_none() && self.shape.is_single() {
+            return 0;
+        }
         let mut depth = 0;
         let mut around = |part: u32| depth = depth.max(part + 1);
         for objects in [self.shape.children(), &self.rare.clipped_by, &self.rare.bounded_by] {

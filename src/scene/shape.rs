@@ -171,6 +171,11 @@ impl Shape {
         }
     }
 
+    /// Whether no other object can be in it.
+    pub fn is_single(&self) -> bool {
+        !matches!(self, Self::Csg { .. } | Self::LightGroup { .. } | Self::LightSource(_))
+    }
+
     /// The objects that a group is made of; none for anything else.
     pub fn children(&self) -> &[Arc<Object>] {
         match self {

@@ -97,17 +97,19 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Places a frame-level object.
-    pub(super) fn place_root(
-        &mut self,
-        object: &Object,
-        default: &Arc<Texture>,
-        split: bool,
-        items: &mut GroupBuilder,
-    ) {
+    /// Places frame-level objects, each with its default texture.
+    pub(super) fn place_roots(&mut self, objects: &[(&Object, &Arc<Texture>)], split: bool, items: &mut GroupBuilder) {
         let mut around = Context::bare();
-        around.default_texture = Some(self.unmoved(default));
-        self.place_frame(object, &mut around, split, items);
+        let mut before: Option<&Arc<Texture>> = None;
+        for (object, default) in objects {
+            if before.is_none_or(|before| !Arc::ptr_eq(before, default)) {
+                around.default_texture = Some(self.unmoved(default));
+                around.default_ior = default.finish_ior();
+                before = Some(default);
+            }
+            (around.interior, around.finish_ior) = (None, None);
+            self.place_frame(object, &mut around, split, items);
+        }
     }
 
     /// An object at frame level, or a member of a light group: owns an interior.

@@ -116,6 +116,5 @@ impl<'c> Copies<'c> {
 
 /// Whether an object holds no other, as most do: nothing is worth remembering of it.
 fn is_single(object: &Object) -> bool {
-    let holds = matches!(object.shape, Shape::Csg { .. } | Shape::LightGroup { .. } | Shape::LightSource(_));
-    !holds && object.rare.clipped_by.is_empty() && object.rare.bounded_by.is_empty()
+    object.shape.is_single() && object.rare.clipped_by.is_empty() && object.rare.bounded_by.is_empty()
 }

@@ -26,6 +26,8 @@ pub(super) struct Context {
     pub(super) interior_texture: Option<PlacementId>,
     /// What a leaf without any texture gets; `None` inside shared groups.
     pub(super) default_texture: Option<PlacementId>,
+    /// The index of that texture's finish.
+    pub(super) default_ior: Option<f32>,
     pub(super) interior: Option<InteriorId>,
     /// What finishes give to the interiors of a light group's members, which share it.
     pub(super) finish_ior: Option<f32>,
@@ -51,6 +53,7 @@ impl Context {
             texture: None,
             interior_texture: None,
             default_texture: None,
+            default_ior: None,
             interior: None,
             finish_ior: None,
             uv_mapping: false,
@@ -116,6 +119,7 @@ impl Builder<'_> {
             no_shadow: around.no_shadow || flags.no_shadow,
             cutaway: around.cutaway || flags.cutaway_textures,
             default_texture: around.default_texture,
+            default_ior: around.default_ior,
             finish_ior: around.finish_ior,
             cutaway_root: around.cutaway_root,
             light_group: around.light_group,
@@ -188,8 +192,10 @@ impl Builder<'_> {
 
     /// The index that finishes give to an interior: whoever shares it and is visited last decides, as in POV-Ray.
     pub(super) fn last_finish_ior(&self, object: &Object, around: &Context) -> Option<f32> {
-        let texture = around.texture.or(around.default_texture);
-        let outer = texture.and_then(|id| self.textures[self.geometry.placements[id].texture].finish_ior());
+        let outer = match around.texture {
+            Some(id) => self.textures[self.geometry.placements[id].texture].finish_ior(),
+            None => around.default_ior,
+        };
         around.finish_ior.or_else(|| self.last_ior(object, outer))
     }
 

@@ -21,8 +21,12 @@ pub(super) struct Statement {
 pub(super) struct Labeler {
     labels: Labels,
     statement: Statement,
-    /// By base: its index and how many statements have it.
-    known: FxHashMap<Arc<str>, [u32; 2]>,
+    /// Indices of bases.
+    known: FxHashMap<Arc<str>, usize>,
+    /// How many statements have each base.
+    counts: Vec<u32>,
+    /// The base of the last statement: mostly that of the next.
+    last: usize,
 }
 
 impl Labeler {
@@ -59,16 +63,21 @@ impl Labeler {
 
     fn new_statement(&mut self) -> StatementId {
         let base = self.statement.name.as_deref().unwrap_or(self.statement.kind);
-        let entry = match self.known.get_mut(base) {
-            Some(entry) => entry,
-            None => {
-                let base: Arc<str> = base.into();
-                self.labels.bases.push(Arc::clone(&base));
-                self.known.entry(base).or_insert([self.labels.bases.len() as u32 - 1, 0])
-            }
-        };
-        let id = self.labels.statements.push(*entry);
-        entry[1] += 1;
+        if self.labels.bases.get(self.last).is_none_or(|last| **last != *base) {
+            self.last = match self.known.get(base) {
+                Some(index) => *index,
+                None => {
+                    let base: Arc<str> = base.into();
+                    self.labels.bases.push(Arc::clone(&base));
+                    self.known.insert(base, self.counts.len());
+                    self.counts.push(0);
+                    self.counts.len() - 1
+                }
+            };
+        }
+        let count = &mut self.counts[self.last];
+        let id = self.labels.statements.push([self.last as u32, *count]);
+        *count += 1;
         self.statement.id = Some(id);
         id
     }

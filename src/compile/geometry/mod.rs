@@ -132,9 +132,7 @@ fn build(
     }
     let mut builder = Builder::new(&census, objects.len(), functions);
     let mut items = GroupBuilder::with_capacity(objects.len());
-    for (object, default) in objects {
-        builder.place_root(object, default, split, &mut items);
-    }
+    builder.place_roots(objects, split, &mut items);
     if !builder.errors.is_empty() {
         return Err(builder.errors);
     }

@@ -396,7 +396,10 @@ impl Evaluator<'_> {
         if object.flags.cutaway_textures && !cuts {
             return self.error(span, "cutaway_textures belongs to an intersection or difference");
         }
-        object.depth = self.nested(object.depth_of_parts(), span)?;
+        object.depth = match object.depth_of_parts() {
+            0 => 0,
+            depth => self.nested(depth, span)?,
+        };
         Ok(())
     }
 }
