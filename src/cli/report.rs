@@ -1,7 +1,7 @@
 //! `whitted report`: error against run time, as a page.
 
 use super::fail;
-use super::render::{progress_bar, size};
+use super::render::{duration, progress_bar, size};
 use super::scene_arguments::{Reading, days_since_2000};
 use crate::eval::date_time;
 use crate::imaging::read_exr;
@@ -39,9 +39,9 @@ pub(super) struct Arguments {
     /// Worker threads of each program, 0 for one for each core
     #[arg(long, short, default_value_t = 1)]
     threads: usize,
-    /// Seconds after which a picture is given up
-    #[arg(long, value_name = "SECONDS", default_value_t = 600.0, value_parser = positive)]
-    timeout: f64,
+    /// How long a picture may take before it is given up: 30s, 5m, 1.5h
+    #[arg(long, value_name = "TIME", default_value = "10m", value_parser = duration)]
+    timeout: Duration,
     /// Pixels across [default: those of the reference, or 640]
     #[arg(long, short = 'W', value_parser = size, requires = "height")]
     width: Option<usize>,
@@ -56,12 +56,6 @@ pub(super) struct Arguments {
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum Rival {
     Povray,
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    let value = text.parse().map_err(|_| "expected a number")?;
-    // A thousand years are no limit, and more is no duration.
-    if value > 0.0 && value < 3e10 { Ok(value) } else { Err("must be greater than 0".into()) }
 }
 
 /// Measures everything and writes the page.
@@ -107,7 +101,7 @@ fn plan(arguments: &Arguments) -> Result<Plan, String> {
         size,
         threads,
         runs: usize::from(arguments.runs),
-        limit: Duration::from_secs_f64(arguments.timeout),
+        limit: arguments.timeout,
         reference: arguments.reference.clone(),
         whitted: Caller { program: own, arguments: how.arguments() },
         povray: arguments

@@ -281,6 +281,7 @@ const SLACK: f32 = 1.0 + 12.0 * f32::EPSILON / 2.0;
 const FARTHEST: f32 = 1e30;
 
 impl Probe {
+    #[inline(always)]
     fn new(ray: &Ray, t_min: f64) -> Self {
         let origin = ray.origin.as_vec3();
         // A whole unit of the last digit, where rounding was wrong by half of one at most.

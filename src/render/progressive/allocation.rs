@@ -175,8 +175,8 @@ fn slope(transfer: Transfer, working: Rgb) -> f32 {
     if transfer == Transfer::Linear {
         return 1.0;
     }
+    /// Small for a display, and large beside the rounding of single precision.
+    const STEP: f32 = 1e-2;
     let middle = (working.x + working.y + working.z).max(0.0) / 3.0;
-    // A step that is small for a display, and large beside the rounding of single precision.
-    let step = 1e-2;
-    (transfer.linear(middle + step) - transfer.linear(middle)) / step
+    (transfer.linear(middle + STEP) - transfer.linear(middle)) / STEP
 }

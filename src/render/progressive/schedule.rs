@@ -71,34 +71,35 @@ impl<'t> Schedule<'t> {
         if self.target.error.is_some_and(|error| state.accuracy.upper_rmse(deviations(rounds.len())) <= error) {
             return Err(End::Reached);
         }
+        let outlook = Outlook::new(&state.noise, pixels);
         let mut limit = 0.0_f64;
         if let Some(error) = self.target.error {
             // As far below the target as the estimate is uncertain.
             let Accuracy { mean_square, deviation } = state.accuracy;
             let margin = 1.0 + deviations(rounds.len() + 1) * (deviation / mean_square).clamp(0.0, 1.0);
             let aim = AIM * error * error / margin * pixels.len() as f64 / state.factor;
-            let plans = plans(state, pixels, |plan| plan.samples > 0 && plan.squared_errors <= aim);
-            let reaches = plans.iter().find(|plan| plan.samples > 0 && plan.squared_errors <= aim);
+            let reaches = |plan: &Plan| plan.samples > 0 && plan.squared_errors <= aim;
+            let plans = outlook.around(reaches);
             let most = plans.iter().rev().find(|plan| plan.samples > 0);
-            limit = reaches.or(most).ok_or(End::Exhausted)?.limit;
+            limit = plans.iter().find(|plan| reaches(plan)).or(most).ok_or(End::Exhausted)?.limit;
         }
         if let Some(time) = self.target.time {
-            limit = limit.max(self.affordable(time, state, pixels)?);
+            limit = limit.max(self.affordable(time, state, &outlook)?);
         }
         Ok(limit)
     }
 
     /// The lowest limit whose samples can be taken in the time that is left, at the pace so far.
-    fn affordable<G: Gather>(&self, time: Duration, state: &State, pixels: &[Pixel<G>]) -> Result<f64, End> {
+    fn affordable<G: Gather>(&self, time: Duration, state: &State, outlook: &Outlook<'_, G>) -> Result<f64, End> {
+        if outlook.coarse.iter().all(|plan| plan.samples == 0) {
+            return Err(End::Exhausted);
+        }
         let spent = self.start.elapsed();
         let left = time.saturating_sub(spent).as_secs_f64();
         let pace = state.samples as f64 / spent.as_secs_f64();
         for share in SHARES {
             let room = share * left * pace;
-            let plans = plans(state, pixels, |plan| plan.samples as f64 > room);
-            if plans.iter().all(|plan| plan.samples == 0) {
-                return Err(End::Exhausted);
-            }
+            let plans = outlook.around(|plan| plan.samples as f64 > room);
             let fits = |plan: &&Plan| plan.samples as f64 <= room;
             let most = plans.iter().rev().find(fits).map_or(0.0, |plan| plan.samples as f64);
             if most > WORTHWHILE * state.samples as f64 {
@@ -123,17 +124,31 @@ impl<'t> Schedule<'t> {
     }
 }
 
-/// What limits would bring, from high to low: of all that make sense, in steps of four, and in small steps from where the
-/// last is that is not yet `enough` to where the first is that is.
-fn plans<G: Gather>(state: &State, pixels: &[Pixel<G>], enough: impl Fn(&Plan) -> bool) -> Vec<Plan> {
-    let coarse: Vec<f64> = (0..N_LIMITS).map(|k| FIRST_LIMIT * (-2.0 * f64::from(k)).exp2()).collect();
-    let mut plans = state.noise.plans(pixels, &coarse);
-    if let Some(first) = plans.iter().position(enough).filter(|first| *first > 0) {
-        // Each is a sixth more samples.
-        let fine: Vec<f64> = (1..4).map(|k| coarse[first - 1] * (-0.5 * f64::from(k)).exp2()).collect();
-        plans.splice(first..first, state.noise.plans(pixels, &fine));
+/// What the next round would bring, by its limit.
+struct Outlook<'a, G> {
+    noise: &'a Noise,
+    pixels: &'a [Pixel<G>],
+    /// At all limits that make sense, from high to low in steps of four.
+    coarse: Vec<Plan>,
+}
+
+impl<'a, G: Gather> Outlook<'a, G> {
+    fn new(noise: &'a Noise, pixels: &'a [Pixel<G>]) -> Self {
+        let limits: Vec<f64> = (0..N_LIMITS).map(|k| FIRST_LIMIT * (-2.0 * f64::from(k)).exp2()).collect();
+        Self { noise, pixels, coarse: noise.plans(pixels, &limits) }
     }
-    plans
+
+    /// All plans, with small steps from the last that is not yet `enough` to the first that is.
+    fn around(&self, enough: impl Fn(&Plan) -> bool) -> Vec<Plan> {
+        let mut plans = self.coarse.clone();
+        if let Some(first) = plans.iter().position(enough).filter(|first| *first > 0) {
+            // Each is a sixth more samples.
+            let above = plans[first - 1].limit;
+            let fine: Vec<f64> = (1..4).map(|k| above * (-0.5 * f64::from(k)).exp2()).collect();
+            plans.splice(first..first, self.noise.plans(self.pixels, &fine));
+        }
+        plans
+    }
 }
 
 /// How many standard deviations keep the risk small that one of the looks after each round ends the rendering wrongly:
