@@ -11,6 +11,7 @@ mod messages;
 mod render;
 mod report;
 mod scene_arguments;
+mod stability;
 
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
@@ -40,6 +41,8 @@ enum Command {
     Compare(compare::Arguments),
     /// Measure error against run time on ladders of settings, and show it on a page
     Report(report::Arguments),
+    /// Drive scenes to extremes until pictures break, and print how far that is
+    Stability(stability::Arguments),
 }
 
 /// Runs the program with the process's own arguments.
@@ -61,6 +64,7 @@ pub fn run() -> ExitCode {
         Command::Dump(arguments) => dump::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Stability(arguments) => stability::run(&arguments),
     }
 }
 

@@ -6,7 +6,8 @@ use super::scene_arguments::{Reading, days_since_2000};
 use crate::eval::date_time;
 use crate::imaging::read_exr;
 use crate::job::Session;
-use crate::report::{self, Caller, Census, Plan, Subject, Watcher};
+use crate::measure::{Caller, Watcher};
+use crate::report::{self, Census, Plan, Subject};
 use indicatif::{HumanDuration, ProgressBar};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -54,7 +55,7 @@ pub(super) struct Arguments {
 
 /// Programs that may race.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Rival {
+pub(super) enum Rival {
     Povray,
 }
 
@@ -129,7 +130,7 @@ fn subject(scene: &Path, how: &Reading, [width, height]: [usize; 2]) -> Subject 
 }
 
 /// Shows how far the report has come.
-struct Bar(ProgressBar);
+pub(super) struct Bar(pub(super) ProgressBar);
 
 /// Steps of the bar: work has no whole unit.
 const STEPS: f64 = 1000.0;

@@ -1,9 +1,8 @@
 //! One scene on all its ladders.
 
-use super::ladder::{self, Against, Ladder, METHOD_1, Program, Rung};
-use super::measure::Run;
+use super::ladder::{self, Against, Ladder, METHOD_1, Rung};
+use crate::measure::{Program, Progress, Run};
 use super::plan::{Plan, Subject};
-use super::progress::Progress;
 use super::rays::Rays;
 use super::reference::{self, Reference};
 use crate::imaging::{Difference, Picture, compare, encode_png, heatmap, read_exr, read_exr_figures};

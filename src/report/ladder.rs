@@ -1,25 +1,7 @@
 //! Ladders as data: ways of making a picture that get dearer and better rung by rung.
 
 use super::census::Census;
-
-/// Who makes a rung's picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Program {
-    /// This program.
-    Whitted,
-    /// An installed POV-Ray.
-    PovRay,
-}
-
-impl Program {
-    /// As people call it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Whitted => "whitted",
-            Self::PovRay => "POV-Ray",
-        }
-    }
-}
+use crate::measure::Program;
 
 /// One way of making the picture: what is added to the command line that all rungs share.
 #[derive(Clone, Debug, PartialEq)]

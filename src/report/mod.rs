@@ -11,12 +11,8 @@
 mod bench;
 mod census;
 mod front;
-mod machine;
-mod measure;
 mod page;
 mod plan;
-mod plot;
-mod progress;
 mod rays;
 mod standing;
 mod table;
@@ -26,14 +22,11 @@ pub mod reference;
 
 pub use bench::{Bench, Climb, Figures, Images, ShownReference, Spread};
 pub use census::Census;
-pub use machine::{Machine, povray_version};
-pub use measure::{Invocation, Run};
-pub use plan::{Caller, Plan, Subject};
-pub use progress::Watcher;
+pub use plan::{Plan, Subject};
 pub use rays::Rays;
 
 use crate::imaging::{ImageError, write_whole};
-use progress::Progress;
+use crate::measure::{Machine, Progress, Watcher, povray_version};
 use std::path::Path;
 
 /// What errors are, in words.

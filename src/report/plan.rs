@@ -1,9 +1,7 @@
 //! What a report is to be about.
 
 use super::census::Census;
-use super::ladder::Program;
-use super::measure::Invocation;
-use std::ffi::OsString;
+use crate::measure::{Caller, Invocation, Program, Task};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -39,15 +37,6 @@ pub struct Subject {
     pub census: Result<Census, String>,
 }
 
-/// A program and what it is told with every scene: where to look for files, and what to declare.
-#[derive(Clone, Debug)]
-pub struct Caller {
-    /// The program.
-    pub program: PathBuf,
-    /// Arguments.
-    pub arguments: Vec<OsString>,
-}
-
 impl Plan {
     /// A program at work on a scene, in the scene's folder.
     ///
@@ -60,36 +49,10 @@ impl Plan {
         rung: &[String],
         picture: &Path,
     ) -> Result<Invocation, String> {
-        let scene = std::path::absolute(scene).map_err(|error| format!("{}: {error}", scene.display()))?;
-        let folder = scene.parent().unwrap_or(Path::new(".")).to_owned();
-        let [width, height] = self.size;
         let caller = match program {
             Program::Whitted => &self.whitted,
             Program::PovRay => self.povray.as_ref().ok_or("POV-Ray does not race")?,
         };
-        let mut arguments: Vec<OsString> = Vec::new();
-        match program {
-            Program::Whitted => {
-                arguments.extend(["render".into(), scene.into_os_string(), "--output".into(), picture.into()]);
-                // POV-Ray has no choice but half precision; ours is not rounded, so that small errors can be seen.
-                let size = format!("--float --width {width} --height {height} --threads {}", self.threads);
-                arguments.extend(size.split(' ').map(OsString::from));
-            }
-            Program::PovRay => {
-                arguments.extend([prefixed("+I", &scene), prefixed("+O", picture)]);
-                // EXR is linear light; no window, no pause.
-                let size = format!("+FE +W{width} +H{height} +WT{} -D -P", self.threads);
-                arguments.extend(size.split(' ').map(OsString::from));
-            }
-        }
-        arguments.extend(caller.arguments.iter().cloned());
-        arguments.extend(rung.iter().map(OsString::from));
-        Ok(Invocation { program: caller.program.clone(), arguments, folder })
+        caller.invocation(program, Task { scene, picture, size: self.size, threads: self.threads }, rung)
     }
-}
-
-fn prefixed(flag: &str, path: &Path) -> OsString {
-    let mut argument = OsString::from(flag);
-    argument.push(path);
-    argument
 }

@@ -1,6 +1,6 @@
 //! Rays by kind, as each program counts them.
 
-use super::ladder::Program;
+use crate::measure::Program;
 
 /// Rays of one picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,7 +2,8 @@
 
 use super::bench::{Bench, Figures};
 use super::front::{Point, cost_of, front};
-use super::ladder::{Against, Program};
+use super::ladder::Against;
+use crate::measure::Program;
 
 /// A ladder and a rung of it, as indices.
 pub(super) type Place = (usize, usize);

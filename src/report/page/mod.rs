@@ -1,16 +1,16 @@
 //! The page: one file that needs no other, with its style, its script and its pictures inside.
 
 mod charts;
-mod number;
 mod tables;
 mod viewer;
 
 use super::bench::{Bench, ShownReference};
 use super::front::geometric_mean;
-use super::ladder::{Against, Program};
+use super::ladder::Against;
 use super::{ERROR_SPACE, Report};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use number::{figure, seconds};
+use crate::measure::{Program, STYLE};
+use crate::measure::number::{figure, seconds};
 
 /// The whole document.
 pub(super) fn html(report: &Report) -> String {
@@ -23,7 +23,7 @@ pub(super) fn html(report: &Report) -> String {
                 meta name="color-scheme" content="light dark";
                 title { "Error against run time" }
                 link rel="icon" href="data:,";
-                style { (PreEscaped(include_str!("style.css"))) }
+                style { (PreEscaped(STYLE)) }
             }
             body {
                 header {
@@ -244,7 +244,9 @@ mod tests {
     use super::*;
     use crate::imaging::{Picture, compare};
     use crate::report::ladder::{Ladder, Rung};
-    use crate::report::{Caller, Climb, Figures, Images, Machine, Plan, Run};
+    use crate::measure::{Machine, Run};
+    use crate::measure::Caller;
+    use crate::report::{Climb, Figures, Images, Plan};
     use std::time::Duration;
 
     fn rung(label: &str, target: Option<f64>) -> Rung {
@@ -253,7 +255,7 @@ mod tests {
 
     fn figures(error: f32, cpu_ms: u64, estimate: Option<f64>) -> Figures {
         let (a, b) = (Picture::filled(4, 4, [0.5; 4]), Picture::filled(4, 4, [0.5 + error; 4]));
-        let run = |ms| Run { cpu: Duration::from_millis(ms), wall: Duration::from_millis(2 * ms) };
+        let run = |ms| Run { cpu: Duration::from_millis(ms), wall: Duration::from_millis(2 * ms), memory: 0 };
         Figures {
             runs: vec![run(cpu_ms + 1), run(cpu_ms)],
             rays: None,

@@ -1,6 +1,6 @@
 //! All figures, a rung a row.
 
-use super::number::{count, figure, seconds, spread};
+use crate::measure::number::{count, figure, seconds, spread};
 use crate::report::bench::{Bench, Climb, Figures};
 use crate::report::ladder::Against;
 use crate::report::rays::Rays;

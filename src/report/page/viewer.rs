@@ -1,6 +1,6 @@
 //! The pictures: one over the other, with a slider between them.
 
-use super::number::figure;
+use crate::measure::number::figure;
 use crate::report::bench::{Bench, Images, ShownReference};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;

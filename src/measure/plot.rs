@@ -6,42 +6,42 @@ use maud::{Markup, html};
 
 /// A picture of how two quantities hang together; both are positive.
 #[derive(Clone, Debug)]
-pub(super) struct Plot {
+pub(crate) struct Plot {
     /// For whoever cannot see it.
-    pub(super) title: String,
-    pub(super) x_label: String,
-    pub(super) y_label: String,
-    pub(super) series: Vec<Series>,
+    pub(crate) title: String,
+    pub(crate) x_label: String,
+    pub(crate) y_label: String,
+    pub(crate) series: Vec<Series>,
     /// Pale wide lines below the series: class and points.
-    pub(super) bands: Vec<(String, Vec<[f64; 2]>)>,
+    pub(crate) bands: Vec<(String, Vec<[f64; 2]>)>,
     /// Level lines with their names.
-    pub(super) levels: Vec<(String, f64)>,
+    pub(crate) levels: Vec<(String, f64)>,
     /// Where x and y are equal, with half and double.
-    pub(super) has_diagonal: bool,
+    pub(crate) has_diagonal: bool,
 }
 
 /// Points that belong together.
 #[derive(Clone, Debug)]
-pub(super) struct Series {
-    pub(super) name: String,
+pub(crate) struct Series {
+    pub(crate) name: String,
     /// Its looks, one of the classes `s0` to `s7`.
-    pub(super) look: usize,
-    pub(super) points: Vec<Mark>,
+    pub(crate) look: usize,
+    pub(crate) points: Vec<Mark>,
 }
 
 /// A rung.
 #[derive(Clone, Debug)]
-pub(super) struct Mark {
-    pub(super) x: f64,
-    pub(super) y: f64,
+pub(crate) struct Mark {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
     /// All that is known of it, shown where the pointer rests.
-    pub(super) tip: String,
+    pub(crate) tip: String,
     /// A word beside it.
-    pub(super) label: Option<String>,
+    pub(crate) label: Option<String>,
     /// Full marks are joined by the line; hollow ones are beaten by others.
-    pub(super) is_full: bool,
+    pub(crate) is_full: bool,
     /// Ends of a line through the mark, along x.
-    pub(super) spread: Option<[f64; 2]>,
+    pub(crate) spread: Option<[f64; 2]>,
 }
 
 const WIDTH: f64 = 520.0;
@@ -84,9 +84,10 @@ impl Axis {
         let named: &[i32] = if decades < 2.2 { &[1, 2, 5] } else { &[1] };
         let mut ticks = Vec::new();
         for exponent in self.low.floor() as i32..=self.high.ceil() as i32 {
-            // Every other power where they would crowd.
-            let is_named = decades < 7.0 || exponent % 2 == 0;
-            for step in 1..10 {
+            // Powers between the named ones where all would crowd, and nothing else where lines would.
+            let is_named = exponent % (decades / 7.0).ceil() as i32 == 0;
+            let steps = if decades < 25.0 { 1..10 } else { 1..1 + i32::from(is_named) };
+            for step in steps {
                 let value = f64::from(step) * 10f64.powi(exponent);
                 if (self.low..=self.high).contains(&value.log10()) {
                     ticks.push((value, is_named && named.contains(&step)));
@@ -117,7 +118,7 @@ fn tick_name(value: f64) -> String {
 
 impl Plot {
     /// The SVG element.
-    pub(super) fn svg(&self) -> Markup {
+    pub(crate) fn svg(&self) -> Markup {
         let marks = || self.series.iter().flat_map(|series| &series.points);
         let levels = self.levels.iter().map(|(_, y)| *y);
         let (mut xs, mut ys): (Vec<f64>, Vec<f64>) =
@@ -214,7 +215,7 @@ fn symbol(look: usize) -> Markup {
 }
 
 /// A line and a mark of a series, for a legend.
-pub(super) fn key(look: usize) -> Markup {
+pub(crate) fn key(look: usize) -> Markup {
     html! {
         svg.key viewBox="-16 -8 32 16" aria-hidden="true" {
             g class=(format!("series s{look}")) { line.line x1="-15" x2="15" y1="0" y2="0" {} g.mark { (symbol(look)) } }

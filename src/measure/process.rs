@@ -26,6 +26,8 @@ pub struct Run {
     pub cpu: Duration,
     /// From start to end on the clock.
     pub wall: Duration,
+    /// The most memory that it held at a time, in bytes.
+    pub memory: u64,
 }
 
 impl Invocation {
@@ -58,7 +60,8 @@ impl Invocation {
         let Ok(said) = said else { return Err(format!("took longer than {} s", limit.as_secs_f64())) };
         let said = String::from_utf8_lossy(&said).into_owned();
         if used.status.success() {
-            Ok((Run { cpu: used.rusage.utime + used.rusage.stime, wall }, said))
+            let cpu = used.rusage.utime + used.rusage.stime;
+            Ok((Run { cpu, wall, memory: used.rusage.maxrss }, said))
         } else {
             Err(format!("{}: {}", used.status, complaint(&said)))
         }

@@ -1,7 +1,7 @@
 //! Numbers as people read them.
 
 /// Three digits: `0.0123`, `12.3`, `1.23·10⁻⁵`.
-pub(super) fn figure(value: f64) -> String {
+pub(crate) fn figure(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
@@ -14,17 +14,17 @@ pub(super) fn figure(value: f64) -> String {
 }
 
 /// Seconds with what a clock can tell.
-pub(super) fn seconds(value: f64) -> String {
+pub(crate) fn seconds(value: f64) -> String {
     if value < 9.995 { format!("{value:.3} s") } else { format!("{value:.1} s") }
 }
 
 /// By how much the greatest is above the least.
-pub(super) fn spread(least: f64, greatest: f64) -> String {
+pub(crate) fn spread(least: f64, greatest: f64) -> String {
     format!("+{:.0} %", 100.0 * (greatest / least.max(1e-9) - 1.0))
 }
 
 /// Three digits with a letter for thousands, millions, milliards.
-pub(super) fn count(n: u64) -> String {
+pub(crate) fn count(n: u64) -> String {
     let steps = [(1e9, "G"), (1e6, "M"), (1e3, "k")];
     match steps.into_iter().find(|(step, _)| n as f64 >= *step) {
         Some((step, letter)) => format!("{} {letter}", figure(n as f64 / step)),

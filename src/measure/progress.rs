@@ -11,23 +11,23 @@ pub trait Watcher {
 }
 
 /// Adds up what is done.
-pub(super) struct Progress<'w> {
+pub(crate) struct Progress<'w> {
     watcher: &'w dyn Watcher,
     done: Cell<f64>,
     of: f64,
 }
 
 impl<'w> Progress<'w> {
-    pub(super) fn new(watcher: &'w dyn Watcher, of: f64) -> Self {
+    pub(crate) fn new(watcher: &'w dyn Watcher, of: f64) -> Self {
         Self { watcher, done: Cell::new(0.0), of }
     }
 
-    pub(super) fn begins(&self, what: &str) {
+    pub(crate) fn begins(&self, what: &str) {
         self.watcher.begins(what);
     }
 
     /// Something of that weight is done, or will not be.
-    pub(super) fn add(&self, weight: f64) {
+    pub(crate) fn add(&self, weight: f64) {
         self.done.set(self.done.get() + weight);
         self.watcher.advanced(self.done.get().min(self.of), self.of);
     }
