@@ -119,13 +119,14 @@ impl Geometry {
     /// The full record of a hit that [`intersect`](Self::intersect) gave for the same ray.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let primitive = &self.primitives[hit.primitive];
-        let world_from_group = self.world_from(&hit.path, hit.path.steps().len());
         let group_from_local = primitive.group_from_local.as_deref();
-        let in_group = world_from_group.as_ref().map(|place| place.inverse_ray(ray));
-        let group_ray = in_group.as_ref().unwrap_or(ray);
-        let in_local = group_from_local.map(|place| place.inverse_ray(group_ray));
-        let local_ray = in_local.as_ref().unwrap_or(group_ray);
-        let mut found = primitive.shape.surface(local_ray, hit.t, hit.part);
+        // Step by step, as the ray came and the next one will go: so the bound of errors is theirs.
+        let places = || hit.path.steps().iter().map(|step| &self.instances[*step].parent_from_group);
+        let mut local_ray = *ray;
+        for place in places().chain(group_from_local) {
+            local_ray = place.inverse_ray(&local_ray);
+        }
+        let mut found = primitive.shape.surface(&local_ray, hit.t, hit.part);
         if primitive.inverse {
             found.normal = -found.normal;
             found.shading_normal = found.shading_normal.map(|n| -n);
@@ -135,7 +136,7 @@ impl Geometry {
             found.carry(place);
         }
         let group_point = found.point;
-        if let Some(place) = &world_from_group {
+        for place in places().rev() {
             found.carry(place);
         }
         let point = found.point;
@@ -174,14 +175,14 @@ impl Geometry {
             let primitive = &self.primitives[hit.primitive];
             let local = primitive.group_from_local.as_deref().copied().unwrap_or_default();
             let world = self.world_from(&hit.path, hit.path.steps().len()).unwrap_or_default();
-            local.then(&world).inverse()
+            local.then_once(&world).inverse()
         };
         match seen.place {
             TexturePlace::Placement { id, depth } => {
                 let placement = self.placements[id].texture_from_group.as_deref().unwrap_or(&Transform::IDENTITY);
                 match self.world_from(&hit.path, depth.into()) {
                     None => placement,
-                    Some(world_from_group) => room.insert(world_from_group.inverse().then(placement)),
+                    Some(world_from_group) => room.insert(world_from_group.inverse().then_once(placement)),
                 }
             }
             TexturePlace::Shape => room.insert(local_from_world()),
@@ -192,7 +193,7 @@ impl Geometry {
                     }
                     _ => None,
                 };
-                room.insert(local_from_world().then(&own.unwrap_or_default()))
+                room.insert(local_from_world().then_once(&own.unwrap_or_default()))
             }
         }
     }
@@ -204,7 +205,7 @@ impl Geometry {
             .iter()
             .rev()
             .map(|i| self.instances[*i].parent_from_group)
-            .reduce(|inner, outer| inner.then(&outer))
+            .reduce(|inner, outer| inner.then_once(&outer))
     }
 
     /// An appearance with all that it inherits through the instances around it.

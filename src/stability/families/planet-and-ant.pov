@@ -1,6 +1,6 @@
 //! about: a sphere of radius 10^X with a small one on it, seen from beside
 //! extremity: 10^X
-//! steps: 4 to 15 by 1, 17 20 30
+//! steps: 7 to 15 by 1, 17 20 30
 //! truth: the first step
 #version 3.7;
 global_settings { assumed_gamma 1 }
