@@ -139,6 +139,12 @@ def steep(root: Node) -> None:
 SHAPES = r"\b(?:object|sphere|box|cylinder|cone|plane|disc|torus|union|merge|intersection|difference|polygon|triangle|quadric) \{"
 
 
+def twins(text: str) -> bool:
+    """Returns whether two round shapes have the same numbers."""
+    numbers = r"\b((?:sphere|cylinder|cone|torus|ovus) \{\s*[-\d.<>,xyz\s]*\d)"
+    return bool(re.search(rf"{numbers}(?s:.*)\1", text))
+
+
 def apart(size: str) -> Cure:
     """Returns a cure that moves the objects of a scene and their parts a little, each by another way, so that no faces
     lie in the same place.
@@ -195,7 +201,7 @@ KNOWN = [
     Known("smooth_triangle moved unevenly", has(r"smooth_triangle \{", r"matrix|transform"), even),
     Known("spindle torus", has(r"torus \{"), plump),
     Known("faces in the same place", has(), apart("1e-3")),
-    Known("round faces in the same place", has(), apart("5e-3")),
+    Known("round faces in the same place", twins, apart("5e-3")),
     Known("isosurface with too low a max_gradient", has(r"isosurface \{"), steep),
     Known("bounded_by too small", has(r"bounded_by"), rewritten(r"^bounded_by \{.*", "")),
     Known("min_extent", has(r"min_extent"), rewritten(r"^box \{ min_extent.*")),
