@@ -189,7 +189,7 @@ KNOWN = [
     Known("box of a disc in an intersection", has(r"disc \{", r"intersection|difference"), discs),
     Known("f_noise3d below version 3.5", has(r"f_noise3d|pattern \{", r"#version 3\.[01]"), rewritten(r"f_noise3d\([^()]*\)|(?<=function \{ )pattern \{[^{}]*\}", "x")),
     Known("opacity of a blob", has(r"blob \{", r"rgb[ft]+|transmit|filter|layer"), spheres("blob")),
-    Known("transmit all of a uv-mapped picture", has(r"uv_mapping", r"(transmit|filter) all"), rewritten(r"(transmit|filter) all \S+")),
+    Known("transmit all of a picture inside a pigment", has(r"uv_mapping|pigment_map", r"(transmit|filter) all"), rewritten(r"(transmit|filter) all \S+")),
     Known("premultiplied PPM or PGM", has(r"p[pg]m\"", r"premultiplied on"), rewritten("premultiplied on")),
     Known("sine_wave of 1", has(r"sine_wave"), rewritten("sine_wave")),
     Known("sor without sturm", has(r"sor \{"), added("sor", "sturm")),
@@ -234,8 +234,9 @@ def name(root: Node, outcome: Outcome, agrees: Callable[[str], bool], count: Cal
     several = rows
     if len(rows) < 2 or not explained(rows):
         several, left = [], count(root.text())
-        for row in rows:
-            if (fewer := count(cured(root, [*several, row]))) < left:
+        # Twice: what one cure does may only show after a later one, as when a program refuses the scene.
+        for row in [*rows, *rows]:
+            if row not in several and (fewer := count(cured(root, [*several, row]))) < left:
                 several, left = [*several, row], fewer
         if not explained(several):
             return ""
