@@ -77,7 +77,13 @@ class Run:
 
     def label(self, root: Node, outcome: Outcome, slot: int, alpha: bool) -> str:
         """Returns the name of the known difference that a scene has, or nothing."""
-        return known.name(root, outcome, lambda text: self.tried(text, slot, alpha).kind in ("same", "rounding"))
+        agrees = lambda text: self.tried(text, slot, alpha).kind in ("same", "rounding")
+        return known.name(root, outcome, agrees, lambda text: self.differing(text, slot, alpha))
+
+    def differing(self, text: str, slot: int, alpha: bool) -> float:
+        """Returns how many pixels differ, rounding included: infinitely many where there are no pictures to compare."""
+        found = try_text(text, self.out / f"job{slot}", self.setup, alpha)
+        return 0 if found.kind == "same" else found.verdict.count if found.verdict and not found.verdict.why else float("inf")
 
     def follow(self, seed: str, root: Node, outcome: Outcome, label: str, slot: int, alpha: bool) -> None:
         """Reduces a scene that differs and reports it."""

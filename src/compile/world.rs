@@ -137,10 +137,9 @@ fn interior(interior: &scene::Interior) -> Interior {
 }
 
 fn settings(settings: &scene::Settings) -> Settings {
-    let transfer = |working| match working {
+    let transfer = |working: Working| match working {
         Working::Srgb => Transfer::Srgb,
-        // Powers within 1 % of 1 are the identity, as in POV-Ray.
-        Working::Power(gamma) if (gamma - 1.0).abs() < 0.01 => Transfer::Linear,
+        working if working.is_linear() => Transfer::Linear,
         Working::Power(gamma) => Transfer::Power(gamma),
     };
     Settings {

@@ -103,16 +103,19 @@ pub fn is_dark(color: Rgb) -> bool {
 
 impl Light {
     /// Direction and distance to the light or one of its samples at `source`.
+    ///
+    /// Each sample of a parallel area light shines from where it stands toward `point_at`, and has a plane across that.
     pub fn toward(&self, point: DVec3, source: DVec3) -> (DVec3, f64) {
         let to = source - point;
         if !self.parallel {
             let distance = to.length();
             return (if distance > 0.0 { to / distance } else { DVec3::Y }, distance);
         }
-        if self.area.is_some() {
-            return ((source - self.point_at).normalize_or(-self.axis), to.dot(-self.axis));
-        }
-        (-self.axis, to.dot(-self.axis))
+        let direction = match &self.area {
+            Some(_) => (source - self.point_at).normalize_or(-self.axis),
+            None => -self.axis,
+        };
+        (direction, to.dot(direction))
     }
 
     /// The light that arrives from `source` when nothing is in its way.

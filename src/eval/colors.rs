@@ -115,7 +115,8 @@ impl Evaluator<'_> {
             for c in &mut v[..3] {
                 // Source: IEC 61966-2-1.
                 let linear = if *c <= 0.04045 { *c / 12.92 } else { ((*c + 0.055) / 1.055).powf(2.4) };
-                *c = if gamma == 1.0 { linear } else { linear.powf(1.0 / gamma) };
+                // A power has no value below 0: it yields 0, as when pictures are read and when this one is written.
+                *c = if working.is_linear() { linear } else { linear.max(0.0).powf(1.0 / gamma) };
             }
         }
         Ok(())
@@ -147,4 +148,31 @@ fn is_component(word: Keyword) -> bool {
 /// Whether a colour may start with that word and nothing else may.
 pub(super) fn is_color_word(word: Keyword) -> bool {
     matches!(word, Keyword::Color | Keyword::Colour) || color_model(word).is_some() || is_component(word)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::eval::host::NoQueries;
+    use crate::eval::{Memory, Options, evaluate};
+
+    /// POV-Ray printed these.
+    #[test]
+    fn srgb_in_the_gamma_of_the_scene() {
+        for (gamma, expected) in [
+            ("1", "-0.0774 0.214 2.5372"),
+            ("1.0099", "-0.0774 0.214 2.5372"),
+            ("1.011", "0.0000 0.218 2.5116"),
+            ("0.98", "0.0000 0.207 2.5858"),
+            ("2", "0.0000 0.463 1.5928"),
+            ("srgb", "-1.0000 0.500 1.5000"),
+        ] {
+            let text = format!(
+                "#version 3.7; global_settings {{ assumed_gamma {gamma} }} #declare C = srgb <-1, 0.5, 1.5>;
+                #debug concat(str(C.red, 0, 4), \" \", str(C.green, 0, 3), \" \", str(C.blue, 0, 4))"
+            );
+            let host = Memory::new([("a.pov", text.as_str())]);
+            assert!(evaluate("a.pov".as_ref(), &Options::default(), &host, &NoQueries).is_ok(), "{text}");
+            assert_eq!(host.messages(), expected, "{gamma}");
+        }
+    }
 }

@@ -22,6 +22,11 @@ pub struct Color {
 }
 
 impl Color {
+    /// Lets light through unchanged that was filtered.
+    pub fn unfilter(&mut self) {
+        self.transmit += std::mem::take(&mut self.filter);
+    }
+
     /// Opaque black, also the colour of an empty pigment.
     pub const BLACK: Self = Self { rgb: Rgb::ZERO, filter: 0.0, transmit: 0.0 };
 

@@ -129,6 +129,8 @@ impl PlacedTexture {
 pub struct Flags {
     /// `inverse`, toggled by each occurrence.
     pub inverse: bool,
+    /// `inverse` occurred, perhaps more than once: unions turned there and back are merges.
+    pub turned: bool,
     /// `hollow`; `None` where the object does not say.
     pub hollow: Option<bool>,
     /// Casts no shadow.
@@ -187,6 +189,7 @@ impl Object {
     pub fn splits(&self) -> bool {
         matches!(self.shape, Shape::Csg { operation: CsgOperation::Union, .. })
             && !self.flags.keep_union
+            && !self.flags.turned
             && self.rare.clipped_by.is_empty()
             && self.rare.bounded_by.is_empty()
     }

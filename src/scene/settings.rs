@@ -56,6 +56,13 @@ pub enum Working {
     Srgb,
 }
 
+impl Working {
+    /// Whether values are linear light: powers within 1 % of 1 are the identity, as in POV-Ray.
+    pub fn is_linear(self) -> bool {
+        matches!(self, Self::Power(gamma) if (gamma - 1.0).abs() < 0.01)
+    }
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self {

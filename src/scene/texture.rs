@@ -119,6 +119,32 @@ impl Default for Pigment {
     }
 }
 
+impl Pigment {
+    /// Lets all light through unchanged that was filtered, but for that of pictures.
+    pub fn unfilter(&mut self) {
+        match &mut self.kind {
+            PigmentKind::Solid(color) => color.unfilter(),
+            PigmentKind::Colors(_, colors) => Arc::make_mut(colors).items_mut().for_each(Color::unfilter),
+            PigmentKind::Pigments(_, pigments) => {
+                Arc::make_mut(pigments).items_mut().for_each(|pigment| Arc::make_mut(pigment).unfilter());
+            }
+            PigmentKind::Image(..) => {}
+        }
+    }
+}
+
+impl<T> Blend<T> {
+    /// What stands in the entries.
+    fn items_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        let (entries, list): (&mut [MapEntry<T>], &mut [T]) = match self {
+            Self::Default => (&mut [], &mut []),
+            Self::Map(entries) | Self::Average(entries) => (entries, &mut []),
+            Self::List(list) => (&mut [], list),
+        };
+        entries.iter_mut().map(|entry| &mut entry.item).chain(list)
+    }
+}
+
 /// `image_map` with its options.
 #[derive(Clone, Debug)]
 pub struct ImageMap {

@@ -130,6 +130,16 @@ fn upper_layers_of_old_scenes_do_not_filter() {
     ] {
         wall(&format!("#version 3.1; plane{{-z,0 {BELOW} {}}}", above(pigment)), expected);
     }
+    // What a pigment block leaves of an upper layer stays so; colours that it writes filter.
+    for (pigment, changed, expected) in [
+        ("rgbf <1,0,.25,.5>", "scale 2", unfiltered),
+        ("gradient z color_map{[0 rgbf <1,0,.25,.5>][1 rgbf <1,0,.25,.5>]}", "onion", unfiltered),
+        ("gradient z pigment_map{[0 rgbf <1,0,.25,.5>][1 rgbf <1,0,.25,.5>]}", "scale 2", unfiltered),
+        ("checker pigment{rgbf <1,0,.25,.5>} pigment{rgbf <1,0,.25,.5>}", "scale 2", unfiltered),
+        ("gradient z", "onion color_map{[0 rgbf <1,0,.25,.5>][1 rgbf <1,0,.25,.5>]}", filtered),
+    ] {
+        wall(&format!("#version 3.1; plane{{-z,0 {BELOW} {} pigment{{{changed}}}}}", above(pigment)), expected);
+    }
     // The version counts where a texture comes to lie over another, or is declared or used with its layers.
     let declared = format!("#declare T={BELOW} {film} #version 3.1;");
     wall(&format!("#version 3.1; #declare T={film} #version 3.7; plane{{-z,0 {BELOW} texture{{T}}}}"), filtered);

@@ -59,6 +59,16 @@ fn area_light_shadows() {
     strip("9,9 adaptive 2", 0.500008);
 }
 
+/// Each sample shines along its own direction, and things are in its way up to its own plane.
+#[test]
+fn parallel_area_light_shadows() {
+    let light = "light_source{<0,0,-5> rgb .8 area_light <4,0,0>,<0,4,0>,3,1 parallel point_at <0,0,-4>}";
+    let behind_the_plane = "sphere{<4.025,0,-2.0125>,.2}";
+    check_grey(&format!("{CZ} {WALL} {light} {behind_the_plane}"), 0.8);
+    check_grey(&format!("{CZ} {WALL} {light} sphere{{<3.13,0,-1.565>,.2}}"), 0.6);
+    check_grey(&format!("{CZ} {WALL} {light} {behind_the_plane} sphere{{<-3.13,0,-1.565>,.2}}"), 0.6);
+}
+
 #[test]
 fn area_light_illumination() {
     lit("<0,1,-3> rgb .8 area_light <4,0,0>,<0,3,2>,5,3 area_illumination", 0.636500);

@@ -157,7 +157,7 @@ impl<'a> Builder<'a> {
             }
             Shape::Csg { children, .. } => {
                 let inside = self.enter(object, around);
-                let splits = split && object.splits() && !inside.inverse;
+                let splits = split && object.splits() && !inside.turned;
                 if self.place_shared(object, children, &inside, splits, items, height) {
                     return;
                 }
@@ -261,7 +261,7 @@ impl<'a> Builder<'a> {
         items: &mut GroupBuilder,
         height: &mut usize,
     ) -> bool {
-        if !can_be_shared(self.census.of(children), object, splits) || inside.cutaway || !splits && inside.inverse {
+        if !can_be_shared(self.census.of(children), object, splits) || inside.cutaway || inside.turned {
             return false;
         }
         let Shape::Csg { operation, .. } = &object.shape else { return false };

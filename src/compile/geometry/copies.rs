@@ -65,7 +65,7 @@ impl<'c> Copies<'c> {
             Shape::LightGroup { children, .. } => self.sum(children, split),
             Shape::Csg { children, .. } => {
                 let splits = split && object.splits();
-                let shares = can_be_shared(self.census.of(children), object, splits);
+                let shares = can_be_shared(self.census.of(children), object, splits) && !object.flags.turned;
                 let inside = if splits { self.sum(children, split) } else { self.one_solid(object) };
                 if shares && inside.height < MAX_INSTANCE_DEPTH {
                     self.shared = self.shared.saturating_add(inside.parts);

@@ -107,7 +107,7 @@ impl Builder<'_> {
         Context {
             group_from_parent: object.place.then(place),
             inverse: around.inverse != flags.inverse,
-            turned: around.turned || flags.inverse,
+            turned: around.turned || flags.turned,
             texture: texture.or(around.texture),
             interior_texture: interior_texture.or(around.interior_texture),
             interior: interior.or(around.interior),

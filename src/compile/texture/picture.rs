@@ -80,11 +80,13 @@ impl Curve {
         let linear = match self.decode {
             None => v,
             Some(Working::Srgb) => imaging::linear_from_srgb(v),
+            Some(working) if working.is_linear() => v,
             Some(Working::Power(gamma)) => power(v, gamma),
         };
         match self.encode {
             None => linear,
             Some(Working::Srgb) => imaging::srgb_from_linear(linear),
+            Some(working) if working.is_linear() => linear,
             Some(Working::Power(gamma)) => power(linear, 1.0 / gamma),
         }
     }
@@ -117,9 +119,9 @@ impl<'a> Memo<'a> {
     }
 }
 
-/// Power laws within 1 % of 1 are the identity, as in POV-Ray.
+/// A power law, which takes what is below 0 for 0.
 fn power(v: f32, gamma: f64) -> f32 {
-    if (gamma - 1.0).abs() < 0.01 { v } else { f64::from(v.max(0.0)).powf(gamma) as f32 }
+    f64::from(v.max(0.0)).powf(gamma) as f32
 }
 
 /// Section 12 of the freeform facts.

@@ -136,13 +136,9 @@ impl Pigment {
 
     /// Lets all light through unchanged that was filtered, but for that of pictures.
     pub fn unfilter(&mut self) {
-        let unfilter = |c: &mut Color| {
-            c.transmit += c.filter;
-            c.filter = 0.0;
-        };
         match self {
-            Self::Solid(color) => unfilter(color),
-            Self::Colors(_, colors) => Arc::make_mut(colors).iter_mut().for_each(unfilter),
+            Self::Solid(color) => color.unfilter(),
+            Self::Colors(_, colors) => Arc::make_mut(colors).iter_mut().for_each(Color::unfilter),
             Self::Pigments(_, pigments) => Arc::make_mut(pigments).iter_mut().for_each(Self::unfilter),
             Self::Uv(pigment) => pigment.unfilter(),
             Self::Image(..) => {}

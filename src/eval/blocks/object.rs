@@ -186,6 +186,7 @@ impl Evaluator<'_> {
                     self.warn(Topic::Geometry, span, "a surface without an inside cannot be inverted");
                 }
                 object.flags.inverse = !object.flags.inverse;
+                object.flags.turned = true;
             }
             K::NoShadow => {
                 self.next()?;

@@ -85,9 +85,12 @@ impl Evaluator<'_> {
         match self.keyword()? {
             Some(K::Pigment) => {
                 self.next()?;
-                let start = (*layer.pigment).clone();
+                let mut start = (*layer.pigment).clone();
+                // What the block leaves of an upper layer stays as it was made of it.
+                if std::mem::take(&mut layer.unfiltered) {
+                    start.unfilter();
+                }
                 layer.pigment = Arc::new(self.pigment_block(start)?);
-                layer.unfiltered = false;
             }
             Some(K::Normal) => {
                 self.next()?;

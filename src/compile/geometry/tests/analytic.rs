@@ -7,6 +7,7 @@ use crate::compile::Functions;
 /// An object turned inside out.
 fn inverse(mut o: Object) -> Object {
     o.flags.inverse = !o.flags.inverse;
+    o.flags.turned = true;
     o
 }
 

@@ -47,6 +47,11 @@ fn a_union_turned_twice_is_a_merge() {
         4,
     );
     part_seen("intersection { union { B(1, -1, 1) B(2, 0, 2) } clipped_by { plane { -z, -.5 } } }", 1);
+    let clipped = "clipped_by { plane { -z, -.5 } }";
+    part_seen(&format!("union {{ B(1, -1, 1) B(2, 0, 2) inverse inverse {clipped} }}"), 2);
+    part_seen(&format!("union {{ union {{ B(1, -1, 1) B(2, 0, 2) }} inverse {clipped} inverse }}"), 2);
+    part_seen(&format!("merge {{ union {{ B(1, -1, 1) B(2, 0, 2) }} inverse inverse {clipped} }}"), 2);
+    part_seen(&format!("union {{ union {{ B(1, -1, 1) B(2, 0, 2) inverse inverse }} box {{ 5, 6 }} {clipped} }}"), 2);
 }
 
 /// Spheres that overlap much, by middle and radius.
