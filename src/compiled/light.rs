@@ -93,15 +93,15 @@ pub struct Arrival {
     pub color: Rgb,
 }
 
-/// POV-Ray's limit below which a light counts as black.
+/// POV-Ray's limit below which a light counts as black; of lights dimmer than 1, a share of their colour.
 const DARK: f32 = 1e-10;
 
-/// Whether nothing of a light's colour is left.
-pub fn is_dark(color: Rgb) -> bool {
-    color.abs().max_element() < DARK
-}
-
 impl Light {
+    /// Whether of its own colour so little is left that it counts as black.
+    pub fn is_spent(&self, color: Rgb) -> bool {
+        color.abs().max_element() <= DARK * self.color.abs().max_element().min(1.0)
+    }
+
     /// Direction and distance to the light or one of its samples at `source`.
     ///
     /// Each sample of a parallel area light shines from where it stands toward `point_at`, and has a plane across that.

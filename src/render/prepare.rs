@@ -9,6 +9,9 @@ use super::options::Options;
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
 
+/// POV-Ray's distance within which a camera ray meets nothing; of scenes smaller than 1, a share of their size.
+const CAMERA_NEAR: f64 = 1e-4;
+
 /// A world with what all its rays share.
 #[derive(Debug)]
 pub(super) struct Prepared<'w> {
@@ -18,6 +21,8 @@ pub(super) struct Prepared<'w> {
     pub(super) lens: Option<Lens>,
     /// What the camera is inside of, for projections with one centre.
     pub(super) camera_interiors: Option<Interiors>,
+    /// Within this distance a camera ray meets nothing.
+    pub(super) camera_near: f64,
     /// Whether neighbours among camera rays may share work.
     pub(super) side_by_side: bool,
 }
@@ -33,6 +38,7 @@ impl<'w> Prepared<'w> {
                 true => Interiors::at(world, camera.location),
                 false => Interiors::default(),
             }),
+            camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
             side_by_side: one_ray_a_position(world)
                 && (features.side_by_side_sky || features.side_by_side_textures > 0),
         }

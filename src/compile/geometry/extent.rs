@@ -25,18 +25,31 @@ const SUPERELLIPSOID: f64 = 1.0001;
 
 /// The box of an object in the space around it.
 pub(crate) fn extent(object: &Object) -> Bounds {
-    extent_with(object, &mut Known::default())
+    extent_with(object, &mut Known::new(single))
 }
 
-/// Boxes of objects that many others may refer to, by address.
-type Known = FxHashMap<*const Object, Bounds>;
+/// Boxes of objects that many others may refer to, by address, and how boxes are kept.
+struct Known {
+    extents: FxHashMap<*const Object, Bounds>,
+    kept: fn(&Bounds) -> Bounds,
+}
+
+impl Known {
+    fn new(kept: fn(&Bounds) -> Bounds) -> Self {
+        Self { extents: FxHashMap::default(), kept }
+    }
+
+    fn kept(&self, bounds: &Bounds) -> Bounds {
+        (self.kept)(bounds)
+    }
+}
 
 fn shared_extent(object: &Arc<Object>, known: &mut Known) -> Bounds {
-    if let Some(extent) = known.get(&Arc::as_ptr(object)) {
+    if let Some(extent) = known.extents.get(&Arc::as_ptr(object)) {
         return *extent;
     }
     let extent = roomy(|| extent_with(object, known));
-    known.insert(Arc::as_ptr(object), extent);
+    known.extents.insert(Arc::as_ptr(object), extent);
     extent
 }
 
@@ -46,13 +59,13 @@ fn extent_with(object: &Object, known: &mut Known) -> Bounds {
         Shape::LightGroup { children, .. } => {
             children.iter().fold(Bounds::EMPTY, |sum, child| sum.union(&shared_extent(child, known)))
         }
-        shape => leaf(shape, &object.place.transform(), object),
+        shape => leaf(shape, &object.place.transform(), object, known),
     };
-    let own = single(&own);
+    let own = known.kept(&own);
     [&object.rare.bounded_by, &object.rare.clipped_by].into_iter().fold(own, |own, limits| {
         let limits = limits.iter().filter(|o| !o.flags.inverse);
         let common = limits.fold(Bounds::INFINITE, |sum, o| sum.intersection(&as_limit(o, false, known)));
-        if volume(&common) < volume(&own) { single(&common) } else { own }
+        if volume(&common) < volume(&own) { known.kept(&common) } else { own }
     })
 }
 
@@ -63,9 +76,10 @@ pub(super) fn shrunken(object: &Object) -> Option<Bounds> {
         return None;
     }
     let limits = object.rare.bounded_by.iter().filter(|o| !o.flags.inverse);
-    let known = &mut Known::default();
+    // As exact as any shape: far from the origin a box in single precision may be beside what it bounds.
+    let known = &mut Known::new(|bounds| *bounds);
     let common = limits.fold(Bounds::INFINITE, |sum, o| sum.intersection(&as_limit(o, false, known)));
-    let own = single(&leaf(&object.shape, &object.place.transform(), object));
+    let own = leaf(&object.shape, &object.place.transform(), object, known);
     (volume(&common) < volume(&own)).then_some(common)
 }
 
@@ -101,7 +115,7 @@ fn combined(operation: CsgOperation, children: &[Arc<Object>], known: &mut Known
             limits.fold(Bounds::INFINITE, |sum, b| sum.intersection(&b))
         }
     };
-    if common.is_empty() { Bounds::INFINITE } else { single(&common) }
+    if common.is_empty() { Bounds::INFINITE } else { known.kept(&common) }
 }
 
 /// What an object leaves of an intersection's box: its own, or half of space for a plane along the
@@ -128,7 +142,7 @@ fn half_space(normal: DVec3, distance: f64) -> Bounds {
 }
 
 /// A primitive's box.
-fn leaf(shape: &Shape, place: &Transform, object: &Object) -> Bounds {
+fn leaf(shape: &Shape, place: &Transform, object: &Object, known: &mut Known) -> Bounds {
     match shape {
         Shape::Plane { .. } | Shape::Polynomial { .. } | Shape::LightSource(_) => Bounds::INFINITE,
         Shape::LightGroup { children, .. } => {
@@ -166,7 +180,7 @@ fn leaf(shape: &Shape, place: &Transform, object: &Object) -> Bounds {
         Shape::Text(text) => {
             let glyphs = glyph_boxes(text).unwrap_or_default();
             let line = glyphs.iter().fold(Bounds::EMPTY, |sum, b| sum.union(b));
-            if line.is_empty() { Bounds::INFINITE } else { moved(&single(&line), place) }
+            if line.is_empty() { Bounds::INFINITE } else { moved(&known.kept(&line), place) }
         }
         Shape::Isosurface(surface) => moved(&container(surface.container).bounds(), place),
         Shape::Parametric(surface) => moved(&container(surface.container).bounds(), place),

@@ -80,6 +80,9 @@ pub(crate) struct Group {
     pub(crate) bvh: Bvh,
     /// The rest, in file order.
     pub(crate) infinite: Vec<Item>,
+    /// Around the finite ones; empty if there are none.
+    pub(crate) finite_bounds: Bounds,
+    /// Around all.
     pub(crate) bounds: Bounds,
 }
 
@@ -91,19 +94,19 @@ const LEAF_SIZE: usize = 2;
 pub(crate) struct GroupBuilder {
     finite: Vec<(Item, Box32)>,
     infinite: Vec<Item>,
-    bounds: Bounds,
+    finite_bounds: Bounds,
 }
 
 impl GroupBuilder {
     /// With room for so many finite ones.
     pub(crate) fn with_capacity(n: usize) -> Self {
-        Self { finite: Vec::with_capacity(n), infinite: Vec::new(), bounds: Bounds::EMPTY }
+        Self { finite: Vec::with_capacity(n), infinite: Vec::new(), finite_bounds: Bounds::EMPTY }
     }
 
     /// An item with its bounds.
     pub(crate) fn push(&mut self, item: Item, bounds: &Bounds) {
-        self.bounds = self.bounds.union(bounds);
         if bounds.is_finite() {
+            self.finite_bounds = self.finite_bounds.union(bounds);
             self.finite.push((item, bounds.into()));
         } else {
             self.infinite.push(item);
@@ -113,11 +116,11 @@ impl GroupBuilder {
 
 impl Group {
     /// Builds the hierarchy over items.
-    pub(crate) fn new(GroupBuilder { finite, infinite, bounds }: GroupBuilder) -> Self {
-        let bounds = if infinite.is_empty() { bounds } else { Bounds::INFINITE };
+    pub(crate) fn new(GroupBuilder { finite, infinite, finite_bounds }: GroupBuilder) -> Self {
+        let bounds = if infinite.is_empty() { finite_bounds } else { Bounds::INFINITE };
         let (bvh, order) = Bvh::build(finite.par_iter().map(|(_, bounds)| *bounds), LEAF_SIZE);
         let items = order.iter().map(|i| finite[*i as usize].0).collect();
-        Self { items, bvh, infinite, bounds }
+        Self { items, bvh, infinite, finite_bounds, bounds }
     }
 }
 

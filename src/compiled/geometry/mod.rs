@@ -156,6 +156,13 @@ impl Geometry {
         self.primitives.iter().filter(|primitive| matches!(primitive.shape, Shape::Isosurface(_))).count()
     }
 
+    /// How far the farthest corner of anything finite is from a point; `None` if there is nothing finite.
+    pub fn reach(&self, point: DVec3) -> Option<f64> {
+        let bounds = self.root.finite_bounds;
+        let farthest = (bounds.min - point).abs().max((bounds.max - point).abs());
+        (!bounds.is_empty()).then(|| farthest.length())
+    }
+
     /// A box around everything; infinite if anything is.
     pub fn bounds(&self) -> Bounds {
         self.root.bounds

@@ -51,9 +51,17 @@ impl Confines {
     }
 }
 
+/// How far down a solid is looked for stretches: whoever asks does so again at every level, and what lies deeper is
+/// within the box of what lies above it.
+const LEVELS: u32 = 4;
+
 impl Geometry {
     /// The part of a range outside of which a node contains no point of the ray; errs on the side of more.
     pub(super) fn span(&self, id: NodeId, ray: &SlabRay<'_>, range: Range) -> Range {
+        self.span_of(id, ray, range, LEVELS)
+    }
+
+    fn span_of(&self, id: NodeId, ray: &SlabRay<'_>, range: Range, levels: u32) -> Range {
         let node = &self.nodes[id];
         match &node.kind {
             // The shape knows better than its box.
@@ -64,13 +72,13 @@ impl Geometry {
                     None => primitive.shape.span(ray.ray, range),
                 }
             }
-            NodeKind::Csg { operation: Operation::Intersection, children, confining, .. } => {
+            NodeKind::Csg { operation: Operation::Intersection, children, confining, .. } if levels > 0 => {
                 let mut range = ray.within(&node.extent, range);
                 for i in confining {
                     if range.is_empty() {
                         break;
                     }
-                    range = self.span(children[*i as usize], ray, range);
+                    range = self.span_of(children[*i as usize], ray, range, levels - 1);
                 }
                 range
             }

@@ -165,7 +165,7 @@ impl Evaluator<'_> {
         let span = self.span();
         self.close("camera")?;
         if let Some(target) = camera.look_at
-            && (target - camera.location).length_squared() < POV_COINCIDENT
+            && (target - camera.location).abs().max_element() <= COINCIDENT * camera.location.abs().max_element()
         {
             return self.error(span, "the camera's look_at is the same point as its location");
         }
@@ -381,5 +381,6 @@ impl Evaluator<'_> {
     }
 }
 
-/// POV-Ray's threshold on the squared distance of look_at and location.
-const POV_COINCIDENT: f64 = 1e-10;
+/// Two points this near to each other, as a share of their distance from the origin, have no direction between them: the
+/// rounding of both is a fourth of it. POV-Ray's distance is 1e-5, whatever the scene's size.
+const COINCIDENT: f64 = 4.0 * f64::EPSILON;

@@ -3,7 +3,7 @@
 //! Source: sections 3 to 5 of the shading facts (measured).
 
 use super::{area, visibility};
-use crate::compiled::light::{Area, Arrival, Light, is_dark};
+use crate::compiled::light::{Area, Arrival, Light};
 use crate::math::{DVec3, Rgb};
 use crate::render::random::{Branch, Dimension};
 use crate::render::shade::SurfaceLayer;
@@ -61,7 +61,7 @@ pub(in crate::render) fn direct_light(
         let Entry { arrival, unblocked } = arriving.entries[order];
         let sampled = light.area.as_ref().filter(|a| a.illumination && worker.options().area_lights());
         let beam = lit_side(vertex, layer, index, light, arrival.direction);
-        if sampled.is_none() && (is_dark(arrival.color) || beam.is_none()) {
+        if sampled.is_none() && (light.is_spent(arrival.color) || beam.is_none()) {
             continue;
         }
         let rgb = match unblocked {
@@ -72,7 +72,7 @@ pub(in crate::render) fn direct_light(
                 found
             }
         };
-        if is_dark(rgb) {
+        if light.is_spent(rgb) {
             continue;
         }
         let answer = match (sampled, beam) {
@@ -127,7 +127,7 @@ fn area_answer(
         for i in 0..area.n1 {
             let (a, b) = area::position(area, index, [i, j], vertex.path.random);
             let arrival = light.arrival(point, light.location + area.offset(a, b, axes));
-            if is_dark(arrival.color) {
+            if light.is_spent(arrival.color) {
                 continue;
             }
             if let Some(beam) = lit_side(vertex, layer, index, light, arrival.direction) {

@@ -4,7 +4,7 @@
 
 use super::area::Grid;
 use crate::compiled::geometry::{Hit, RayKind, Shadow, Surface};
-use crate::compiled::light::{Arrival, Light, is_dark};
+use crate::compiled::light::{Arrival, Light};
 use crate::compiled::texture::Frame;
 use crate::math::{DVec3, Range, Ray, Rgb};
 use crate::render::medium::{Interiors, fog_transmittance, inside_of};
@@ -126,7 +126,7 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
         };
         let through = surface_transmittance(worker, &surface, &hit, &ray);
         color *= through * fade.map_or(Rgb::ONE, |f| f.transmittance(hit.t));
-        if is_dark(color) {
+        if world.lights[way.light].is_spent(color) {
             return Rgb::ZERO;
         }
         let left = range.max - hit.t;

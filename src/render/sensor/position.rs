@@ -13,9 +13,6 @@ use crate::render::random::{Branch, Random};
 use crate::render::transport::radiance;
 use crate::render::worker::Worker;
 
-/// POV-Ray's distance within which a camera ray meets nothing.
-const CAMERA_NEAR: f64 = 1e-4;
-
 /// The light through a continuous image position, pixel centres being integers.
 pub(super) fn at_position<G: Gather>(worker: &mut Worker<'_>, [x, y]: [f64; 2]) -> G {
     let (camera, options) = (&worker.world().camera, worker.options());
@@ -104,7 +101,7 @@ pub(super) fn path(worker: &mut Worker<'_>, ray: Ray, far: f64, random: Random) 
         Some(known) if is_clear(worker, ray.origin) => known.clone(),
         _ => Interiors::at(prepared.world, ray.origin),
     };
-    let range = Range { min: CAMERA_NEAR, max: far };
+    let range = Range { min: prepared.camera_near, max: far };
     Path { ray, range, kind: RayKind::Camera, level: 1, weight: 1.0, interiors, wavelength: None, random }
 }
 
