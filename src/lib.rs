@@ -9,7 +9,8 @@
 //! 4. [`compiled`]: what rays meet, in the field's words; [`compile`] makes it, and refuses what is wrong.
 //! 5. [`render`]: from camera rays to pixels; cannot fail.
 //! 6. [`job`]: one configuration, a session that owns what pictures share, an observer.
-//! 7. [`report`]: error against run time: pictures made over and over, by this program and by others.
+//! 7. [`measure`]: child processes and what they cost, plots; [`report`]: error against run time; [`stability`]: how far
+//!    scenes can be driven before a picture breaks. Both make pictures over and over, by this program and by POV-Ray.
 //! 8. [`cli`]: arguments to a job; the only part that prints.
 //!
 //! ```

@@ -5,8 +5,21 @@ use std::path::{Path, PathBuf};
 
 /// From the first to the last: a module knows those before it, never those behind it.
 const ORDER: [&str; 15] = [
-    "math", "diag", "imaging", "function", "syntax", "scene", "eval", "compiled", "compile", "render", "job", "measure",
-    "report", "stability", "cli",
+    "math",
+    "diag",
+    "imaging",
+    "function",
+    "syntax",
+    "scene",
+    "eval",
+    "compiled",
+    "compile",
+    "render",
+    "job",
+    "measure",
+    "report",
+    "stability",
+    "cli",
 ];
 
 /// Files of code that is not only for tests, with their text up to the tests, comments left out.

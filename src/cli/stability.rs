@@ -73,7 +73,9 @@ fn plan(arguments: &Arguments) -> Result<Plan, String> {
     Ok(Plan {
         families,
         whitted: Caller { program: own, arguments: ["--embedded-includes", "--no-warn", "all"].map(Into::into).into() },
-        povray: arguments.against.map(|Rival::Povray| Caller { program: arguments.povray.clone(), arguments: Vec::new() }),
+        povray: arguments
+            .against
+            .map(|Rival::Povray| Caller { program: arguments.povray.clone(), arguments: Vec::new() }),
         limit: arguments.timeout,
         origin: [date_time(days_since_2000(), "%Y-%m-%d"), format!("whitted {}", typed.join(" "))],
     })

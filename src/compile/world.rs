@@ -5,7 +5,7 @@ use super::geometry::{CompiledGeometry, PlacedLight, Watched};
 use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
-use crate::compiled::geometry::{InteriorId, LightGroupId};
+use crate::compiled::geometry::{InteriorId, LightGroupId, Touching};
 use crate::compiled::interior::{Interior, InteriorFade};
 use crate::compiled::{Features, Group, Settings, Table, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
@@ -72,9 +72,13 @@ pub fn compile_sharing(scene: &Scene, functions: &Functions) -> SourceResult<Com
         atmosphere,
         settings: settings(&scene.settings),
         labels,
+        touching: Touching::default(),
         features: Features::default(),
     };
     world.features = Features::of(&world);
+    if world.features.optical_interiors > 0 {
+        world.touching = world.geometry.may_touch(|interior| world.interior(interior).is_optical());
+    }
     Ok(Compiled { world, warnings, watched })
 }
 

@@ -2,7 +2,6 @@
 
 use super::World;
 use super::atmosphere::Sky;
-use super::interior::Interior;
 use super::light::{Beam, Light};
 use super::texture::{Layer, Texture};
 
@@ -42,8 +41,6 @@ impl Features {
     pub(crate) fn of(world: &World) -> Self {
         let textures = |holds: fn(&Texture) -> bool| world.textures.iter().filter(|texture| holds(texture)).count();
         let lights = |holds: fn(&Light) -> bool| world.lights.iter().filter(|light| holds(light)).count();
-        let optical =
-            |interior: &Interior| interior.ior != 1.0 || interior.dispersion != 1.0 || interior.fade.is_some();
         let atmosphere = &world.atmosphere;
         Self {
             see_through_textures: world.opaque.iter().filter(|opaque| !**opaque).count(),
@@ -52,7 +49,7 @@ impl Features {
             bumpy_textures: textures(|texture| any_layer(texture, |layer| layer.normal.is_some())),
             side_by_side_textures: textures(Texture::is_side_by_side),
             side_by_side_sky: atmosphere.sky.as_ref().is_some_and(Sky::is_side_by_side),
-            optical_interiors: world.interiors.iter().filter(|interior| optical(interior)).count(),
+            optical_interiors: world.interiors.iter().filter(|interior| interior.is_optical()).count(),
             airs: atmosphere.fogs.len() + atmosphere.rainbows.len(),
             area_lights: lights(|light| light.area.is_some()),
             beamed_lights: lights(|light| light.beam != Beam::Even),

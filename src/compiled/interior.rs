@@ -19,6 +19,13 @@ pub struct Interior {
     pub refraction: f32,
 }
 
+impl Interior {
+    /// Whether it changes what a ray carries or where it goes.
+    pub fn is_optical(&self) -> bool {
+        self.ior != 1.0 || self.dispersion != 1.0 || self.fade.is_some()
+    }
+}
+
 /// Attenuation with the distance travelled inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InteriorFade {

@@ -3,7 +3,7 @@
 use super::atmosphere::Atmosphere;
 use super::camera::Camera;
 use super::features::Features;
-use super::geometry::{Geometry, InteriorId, LightGroupId, TextureId};
+use super::geometry::{Geometry, InteriorId, LightGroupId, TextureId, Touching};
 use super::handle::Table;
 use super::interior::Interior;
 use super::labels::Labels;
@@ -37,6 +37,8 @@ pub struct World {
     pub settings: Settings,
     /// Names, for layers.
     pub labels: Labels,
+    /// Where objects that bend or dim light may touch.
+    pub touching: Touching,
     /// What of all this there is.
     pub features: Features,
 }

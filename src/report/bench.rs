@@ -1,11 +1,11 @@
 //! One scene on all its ladders.
 
 use super::ladder::{self, Against, Ladder, METHOD_1, Rung};
-use crate::measure::{Program, Progress, Run};
 use super::plan::{Plan, Subject};
 use super::rays::Rays;
 use super::reference::{self, Reference};
 use crate::imaging::{Difference, Picture, compare, encode_png, heatmap, read_exr, read_exr_figures};
+use crate::measure::{Program, Progress, Run};
 use std::path::Path;
 
 /// All that was measured of a scene.

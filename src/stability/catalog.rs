@@ -79,13 +79,16 @@ pub fn catalog() -> impl Iterator<Item = Family> {
     FAMILIES.iter().map(|(name, text)| Family::parse(name, text).expect("the catalogue is under test"))
 }
 
-/// A family of the catalogue, all whose names begin so, or a file.
+/// A family of the catalogue, else all whose names begin so, or a file.
 ///
 /// # Errors
 /// When there is none, or the file is no family.
 pub fn named(name: &str) -> Result<Vec<Family>, String> {
     if Path::new(name).extension().is_some() {
         return Ok(vec![Family::read(Path::new(name)).map_err(|bad: BadFamily| bad.to_string())?]);
+    }
+    if let Some(family) = catalog().find(|family| family.name == name) {
+        return Ok(vec![family]);
     }
     let found: Vec<Family> = catalog().filter(|family| family.name.starts_with(name)).collect();
     if found.is_empty() {
@@ -113,6 +116,7 @@ mod tests {
     fn families_go_by_the_beginning_of_their_names() {
         let found = named("scale").unwrap();
         assert!(found.len() > 1 && found.iter().all(|family| family.name.starts_with("scale")));
+        assert_eq!(named("rotations").unwrap().len(), 1);
         assert!(named("no-such").unwrap_err().contains("only "));
         assert!(named("no/such.pov").is_err());
     }

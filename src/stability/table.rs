@@ -196,7 +196,8 @@ pub(super) fn csv(findings: &Findings) -> String {
 
 /// The same, with the machine and the verdicts.
 pub(super) fn json(findings: &Findings) -> String {
-    let step = |values: [Value; COLUMNS.len()]| -> Value { COLUMNS.map(String::from).into_iter().zip(values).collect() };
+    let step =
+        |values: [Value; COLUMNS.len()]| -> Value { COLUMNS.map(String::from).into_iter().zip(values).collect() };
     let family = |(family, sweeps): (&Family, &Vec<Sweep>)| {
         let last = |program: Program| {
             let sweep = sweeps.iter().find(|sweep| sweep.program == program)?;
@@ -235,9 +236,8 @@ mod tests {
     fn verdicts_go_by_the_first_wrong_step() {
         let text = "//! about: a\n//! extremity: 10^X\n//! steps: 0 1 2\n//! truth: the first step\n";
         let family = Family::parse("a", text).unwrap();
-        let verdict = |ours, theirs| {
-            Verdict::of(&family, &[sweep(Program::Whitted, ours), sweep(Program::PovRay, theirs)])
-        };
+        let verdict =
+            |ours, theirs| Verdict::of(&family, &[sweep(Program::Whitted, ours), sweep(Program::PovRay, theirs)]);
         assert_eq!(verdict(3, 3), Verdict::BothToTheEnd);
         assert_eq!(verdict(2, 2), Verdict::Equal);
         assert_eq!((verdict(2, 1), verdict(1, 2)), (Verdict::Further, Verdict::Behind));

@@ -23,6 +23,7 @@ mod surface;
 mod walk;
 
 pub use super::handle::{InteriorId, LightGroupId, ObjectId, StatementId, TextureId};
+pub use inside::Touching;
 pub use record::{Hit, InteriorKey, MAX_INSTANCE_DEPTH, RayKind, Surface, TextureRef};
 pub use solid::Scratch;
 
@@ -42,9 +43,9 @@ pub(crate) use shape::{
 
 use super::handle::Table;
 use crate::math::{Bounds, DVec3, Range, Ray};
-use record::Path;
+use record::{LEAVE_FACTOR, Path};
 use smallvec::SmallVec;
-use walk::{Blocking, LastShadow, Nearest, Walk};
+use walk::{All, Blocking, LastShadow, Nearest, Walk};
 
 /// All objects of a scene, or of one object that is asked about.
 ///
@@ -82,6 +83,27 @@ impl Geometry {
         // Nothing ends this search before its end.
         let _: std::ops::ControlFlow<()> = walk.group(&self.root, ray);
         walk.search.best.map(|(hit, _)| hit)
+    }
+
+    /// Surfaces of other interiors that a ray which goes through one along `direction` passes with it, nearest first: where
+    /// two touch, the second lies within the step by which the ray leaves the first.
+    pub fn passed_with(
+        &self,
+        surface: &Surface,
+        direction: DVec3,
+        kind: RayKind,
+        scratch: &mut Scratch,
+    ) -> SmallVec<[Surface; 1]> {
+        let ahead = surface.geometric_normal * surface.geometric_normal.dot(direction).signum();
+        // What is as near as rounding can tell may be in front.
+        let ray = Ray::new(surface.point - ahead * surface.point_error, ahead);
+        let range = Range { min: 0.0, max: (1.0 + LEAVE_FACTOR) * surface.point_error };
+        let mut walk = Walk::new(self, &ray, range, kind, scratch, All::default());
+        let _: std::ops::ControlFlow<()> = walk.group(&self.root, &ray);
+        let mut hits = walk.search.hits;
+        hits.sort_by(|a, b| a.t.total_cmp(&b.t));
+        let surfaces = hits.iter().map(|hit| self.surface(&ray, hit));
+        surfaces.filter(|other| other.interior != surface.interior).collect()
     }
 
     /// What stands inside `range` between a point and light number `light`.

@@ -126,7 +126,7 @@ pub struct Surface {
 
 /// How far a new ray starts from the surface, in units of `point_error`: one for the error of
 /// this surface, the rest for the rounding of the next intersection test near it.
-const LEAVE_FACTOR: f64 = 4.0;
+pub(super) const LEAVE_FACTOR: f64 = 4.0;
 
 impl Surface {
     /// A ray that leaves the surface along `direction` (unit, world), with its range.

@@ -7,6 +7,7 @@ use super::shape::Primitive;
 use super::solid::Scratch;
 use crate::compiled::handle::{InstanceId, NodeId, PrimitiveId, Table, TextureId};
 use crate::math::{Range, Ray};
+use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// A search in progress.
@@ -58,6 +59,12 @@ pub(super) struct Nearest {
     pub(super) best: Option<(Hit, Owner)>,
 }
 
+/// All hits of shapes; of a solid, the nearest.
+#[derive(Default)]
+pub(super) struct All {
+    pub(super) hits: SmallVec<[Hit; 4]>,
+}
+
 /// Whatever stands in the way of light.
 pub(super) struct Blocking<'a> {
     /// By texture, whether no light comes through; none is asked for where all are so.
@@ -98,6 +105,15 @@ impl Search for Nearest {
         let Found { t, primitive, part, owner } = found;
         walk.search.best = Some((Hit { t, primitive, part, path: walk.path }, owner));
         walk.range.max = t.next_up();
+        ControlFlow::Continue(())
+    }
+}
+
+impl Search for All {
+    const ANY: bool = false;
+
+    fn record(walk: &mut Walk<'_, Self>, Found { t, primitive, part, .. }: Found) -> ControlFlow<()> {
+        walk.search.hits.push(Hit { t, primitive, part, path: walk.path });
         ControlFlow::Continue(())
     }
 }

@@ -7,7 +7,7 @@ use crate::compiled::geometry::{Hit, RayKind, Shadow, Surface};
 use crate::compiled::light::{Arrival, Light};
 use crate::compiled::texture::Frame;
 use crate::math::{DVec3, Range, Ray, Rgb};
-use crate::render::medium::{Interiors, fog_transmittance, inside_of};
+use crate::render::medium::{Interiors, fog_transmittance};
 use crate::render::random::Random;
 use crate::render::shade::{Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
 use crate::render::vertex::{Vertex, facing};
@@ -120,7 +120,8 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
             color *= fog(&ray, Some(hit.t), interiors);
             *length -= hit.t;
         }
-        let fade = match interiors.cross(inside_of(world, &surface)).leaving {
+        let way_through = (way.direction, RayKind::Shadow);
+        let fade = match interiors.cross_at(world, &surface, way_through, &mut worker.scratch).leaving {
             true => world.interior(surface.interior.interior).fade.filter(|f| f.power > 0.0),
             false => None,
         };

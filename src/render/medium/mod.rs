@@ -9,7 +9,7 @@ mod atmosphere;
 pub(super) use atmosphere::{Airlight, airlight, fog_transmittance};
 
 use crate::compiled::World;
-use crate::compiled::geometry::{InteriorKey, Surface};
+use crate::compiled::geometry::{InteriorKey, RayKind, Scratch, Surface};
 use crate::math::DVec3;
 use smallvec::SmallVec;
 
@@ -107,6 +107,25 @@ impl Interiors {
         self.0.remove(at);
         let ahead = around(self);
         Crossing { leaving: true, behind: if was_last { Some(object.index) } else { ahead }, ahead }
+    }
+
+    /// Goes through a surface along a direction, and through all that touch it there, as one: light that leaves glass where
+    /// it touches water goes from the one into the other.
+    pub(super) fn cross_at(
+        &mut self,
+        world: &World,
+        surface: &Surface,
+        (direction, kind): (DVec3, RayKind),
+        scratch: &mut Scratch,
+    ) -> Crossing {
+        let first = self.cross(inside_of(world, surface));
+        if !world.touching.is_at(surface.point) {
+            return first;
+        }
+        let touching = world.geometry.passed_with(surface, direction, kind, scratch);
+        touching
+            .iter()
+            .fold(first, |whole, other| Crossing { ahead: self.cross(inside_of(world, other)).ahead, ..whole })
     }
 
     /// Index of the far side of an object's surface over that of the near side, for Fresnel's equations.

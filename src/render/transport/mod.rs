@@ -100,7 +100,7 @@ fn layered<G: Gather>(
 
 /// The light that comes through a surface, or is reflected there in full.
 fn transmitted(worker: &mut Worker<'_>, vertex: &Vertex<'_>, boundary: &Boundary<'_>) -> (Term, Radiance) {
-    let rays = Refraction::new(worker.world(), vertex, boundary);
+    let rays = Refraction::new(worker, vertex, boundary);
     let mut sum = Radiance::BLACK;
     for i in 0..rays.n_rays() {
         let ray = rays.ray(vertex, boundary, i);

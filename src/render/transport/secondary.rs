@@ -8,12 +8,13 @@ use crate::compiled::geometry::RayKind;
 use crate::compiled::texture::Finish;
 use crate::math::{DVec3, Rgb, gray};
 use crate::render::film::Term;
-use crate::render::medium::{Crossing, Interiors, inside_of};
+use crate::render::medium::{Crossing, Interiors};
 use crate::render::path::Path;
 use crate::render::radiance::Radiance;
 use crate::render::random::{Branch, Random};
 use crate::render::shade::finish::irid;
 use crate::render::vertex::Vertex;
+use crate::render::worker::Worker;
 
 /// POV-Ray's difference from 1 below which a ray goes straight on.
 const STRAIGHT: f64 = 1e-10;
@@ -63,11 +64,12 @@ pub(super) struct Secondary {
 }
 
 impl Refraction {
-    pub(super) fn new(world: &World, vertex: &Vertex<'_>, boundary: &Boundary<'_>) -> Self {
+    pub(super) fn new(worker: &mut Worker<'_>, vertex: &Vertex<'_>, boundary: &Boundary<'_>) -> Self {
+        let world = worker.world();
         let surface = vertex.surface;
         let interior = world.interior(surface.interior.interior);
         let mut interiors = vertex.interiors().clone();
-        let crossing = interiors.cross(inside_of(world, surface));
+        let crossing = interiors.cross_at(world, surface, (vertex.view(), vertex.path.kind), &mut worker.scratch);
         let factor = boundary.legacy.map_or(interior.refraction, |finish| finish.refraction.unwrap_or(1.0));
         let mut attenuation = Rgb::splat(factor);
         if let Some(fade) = interior.fade.filter(|_| crossing.leaving) {

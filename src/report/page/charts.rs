@@ -1,11 +1,11 @@
 //! What the plots of a scene show.
 
+use crate::measure::Program;
 use crate::measure::number::{figure, seconds, spread};
+use crate::measure::plot::{Mark, Plot, Series, key};
 use crate::report::bench::{Bench, Climb, Figures, ShownReference};
 use crate::report::front::{Point, front};
 use crate::report::ladder::{Against, Ladder};
-use crate::measure::Program;
-use crate::measure::plot::{Mark, Plot, Series, key};
 use maud::{Markup, html};
 
 const ERROR: &str = "RMSE (linear light)";

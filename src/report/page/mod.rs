@@ -8,9 +8,9 @@ use super::bench::{Bench, ShownReference};
 use super::front::geometric_mean;
 use super::ladder::Against;
 use super::{ERROR_SPACE, Report};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
-use crate::measure::{Program, STYLE};
 use crate::measure::number::{figure, seconds};
+use crate::measure::{Program, STYLE};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// The whole document.
 pub(super) fn html(report: &Report) -> String {
@@ -243,9 +243,9 @@ impl Bench {
 mod tests {
     use super::*;
     use crate::imaging::{Picture, compare};
-    use crate::report::ladder::{Ladder, Rung};
-    use crate::measure::{Machine, Run};
     use crate::measure::Caller;
+    use crate::measure::{Machine, Run};
+    use crate::report::ladder::{Ladder, Rung};
     use crate::report::{Climb, Figures, Images, Plan};
     use std::time::Duration;
 
