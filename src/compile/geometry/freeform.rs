@@ -1,6 +1,5 @@
 //! Shapes that are converted rather than folded: large data, shared by all copies.
 
-use super::POV_TINY;
 use super::builder::Builder;
 use super::height_field::{grid_key, height_grid};
 use super::implicit;
@@ -46,7 +45,7 @@ pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Conte
             Some(of_functions(builder, shape, object, inside))
         }
         Shape::JuliaFractal(julia) => Some(Some(placed(implicit::julia(julia), inside.group_from_parent))),
-        Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base.distance(*cap) < POV_TINY => {
+        Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base == cap => {
             let message = "degenerate cylinder or cone: both ends are the same point";
             builder.errors.push(Diagnostic::error(object.span, message));
             Some(None)
