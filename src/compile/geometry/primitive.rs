@@ -6,7 +6,7 @@ use crate::compiled::geometry::{
     Cone, Cuboid, Disc, Ovus, Plane, Polygon, Polynomial, Quadric, Shape as Compiled, SmoothTriangle, Sphere,
     Superellipsoid, Torus, Triangle,
 };
-use crate::math::{DVec3, MAX_DEGREE, Transform, gamma};
+use crate::math::{DVec3, MAX_DEGREE, Transform, gamma, unit};
 use crate::scene::Shape;
 use std::sync::Arc;
 
@@ -144,11 +144,11 @@ fn keeps_axes(place: &Transform) -> bool {
 
 /// A plane is a plane under every transform.
 fn fold_plane(normal: DVec3, distance: f64, place: &Transform) -> Option<Plane> {
-    let normal = normal.try_normalize()?;
+    let normal = unit(normal)?;
     if place.is_identity() {
         return Some(Plane { normal, distance });
     }
-    let moved = place.normal(normal).try_normalize()?;
+    let moved = unit(place.normal(normal))?;
     Some(Plane { normal: moved, distance: moved.dot(place.point(normal * distance)) })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, unit};
 use crate::scene::{CsgOperation, Shape, SmoothTriangle, SweepSpline};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
@@ -111,7 +111,7 @@ impl Evaluator<'_> {
         let normal = self.vector()?;
         self.comma()?;
         let distance = self.float()?;
-        match normal.try_normalize() {
+        match unit(normal) {
             Some(normal) => Ok(Shape::Plane { normal, distance }),
             None => self.error(span, "a plane needs a normal that is not zero"),
         }

@@ -1,5 +1,6 @@
 //! Surfaces of revolution whose squared radius is a cubic of the height.
 
+use super::outline::settle;
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Uv, gamma, roots_in};
@@ -85,9 +86,12 @@ impl Primitive for Sor {
                 out.push(ShapeHit { t, part });
             }
         };
-        for (segment, part) in self.segments.iter().zip(0..) {
+        let mut rest = self.segments.iter().zip(0..).peekable();
+        while let Some((segment, part)) = rest.next() {
             let within = reach.between([segment.low, segment.high], o.y, d.y);
-            if within.is_empty() {
+            let above = rest.peek().map(|(next, _)| next.squared[0]);
+            // Of two pieces on the level of a ray the upper one is met.
+            if within.is_empty() || d.y == 0.0 && o.y == segment.high && above.is_some() {
                 continue;
             }
             // ρ² less the cubic of h + s d.y, expanded.
@@ -98,7 +102,24 @@ impl Primitive for Sor {
                 d.x * d.x + d.z * d.z - (3.0 * c[3] * h + c[2]) * v * v,
                 -c[3] * v * v * v,
             ];
-            roots_in(&along, within.min, within.max).into_iter().for_each(|s| record(s, part));
+            let mut roots = roots_in(&along, within.min, within.max);
+            if d.y != 0.0 {
+                // Neighbours, or a cap, agree on which side of the common rim the ray passes.
+                let beyond = |y: f64, rim: f64| {
+                    let p = o + d * ((y - o.y) / d.y);
+                    p.x * p.x + p.z * p.z - rim
+                };
+                let ends = [
+                    (segment.low, segment.squared[0]),
+                    (segment.high, above.unwrap_or_else(|| segment.at(segment.high).0)),
+                ];
+                let [(first, first_rim), (last, last_rim)] = if d.y > 0.0 { ends } else { [ends[1], ends[0]] };
+                let (first_s, last_s) = ((first - o.y) / d.y, (last - o.y) / d.y);
+                if within.min == first_s && within.max == last_s {
+                    settle(&mut roots, [first_s, last_s], [beyond(first, first_rim), beyond(last, last_rim)]);
+                }
+            }
+            roots.into_iter().for_each(|s| record(s, part));
         }
         if !self.open && d.y != 0.0 {
             let ((low, high), (base, cap)) = (self.ends(), self.rims());
