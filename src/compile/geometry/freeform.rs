@@ -167,16 +167,19 @@ fn convert_patch(patch: &BicubicPatch, inside: &Context) -> Folded {
     /// How many times as far away as it is large a patch counts as far: its corners, in single precision, would lose more
     /// than a third of their digits.
     const FAR: f64 = 256.0;
+    /// Parts of a patch that flatness has to tell apart.
+    const FEWEST_PARTS: f64 = 64.0;
     let place = &inside.group_from_parent;
     let points = patch.points.map(|row| row.map(|p| place.point(p)));
     let b = Bounds::around(points.iter().flatten().copied());
     let far = b.min.abs().max(b.max.abs()).max_element() > FAR * b.size().max_element();
     let origin = if far { points[0][0] } else { DVec3::ZERO };
     let points = if far { points.map(|row| row.map(|p| p - origin)) } else { points };
-    // Of a patch that has been made smaller the flatness is, too: its shape does not depend on its size.
+    // Of a patch that has been made so small that the flatness is a good part of it, that is made smaller, too.
     let m = place.linear();
     let stretch = [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length).into_iter().fold(0.0, f64::max);
-    let flatness = patch.flatness * stretch.min(1.0);
+    let coarse = stretch < 1.0 && patch.flatness * FEWEST_PARTS > b.size().max_element();
+    let flatness = if coarse { patch.flatness * stretch } else { patch.flatness };
     let tree = Arc::new(MeshTree::new(super::patch::tessellate(patch, flatness, &points)));
     placed(Compiled::Mesh(Mesh { tree, inside_vector: None }), Transform::translation(origin))
 }

@@ -149,6 +149,7 @@ impl Geometry {
         Surface {
             point,
             point_error: found.error + crate::math::gamma(2) * point.abs().max_element(),
+            retreat: ray.direction * -found.depth,
             geometric_normal,
             normal,
             uv: uv_of(primitive, uv, [local_point, group_point, point]),

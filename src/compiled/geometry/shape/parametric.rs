@@ -61,9 +61,9 @@ impl Parametric {
     /// The nearest place that POV-Ray finds.
     fn find(&self, ray: &Ray) -> Option<Place> {
         let (start, end) = self.container.interval(ray)?;
-        // Lengths in the shape's space for each unit of the ray's parameter, where the shape has been made smaller: POV-Ray's
-        // accuracy, in world units, would be larger than such a shape.
-        let speed = ray.direction.length().max(1.0);
+        // POV-Ray's accuracy is a ray parameter, too, which may be more than a shape that has been made smaller.
+        let speed = ray.direction.length();
+        let speed = if self.container.is_coarse(self.accuracy, speed) { speed } else { 1.0 };
         let start = match self.container {
             _ if start == end => 0.0,
             Container::Box(_) => start.max(0.0),

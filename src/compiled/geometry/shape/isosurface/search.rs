@@ -8,7 +8,7 @@
 
 use super::{CAP, Isosurface, SURFACE};
 use crate::function::{Enclosure, EnclosureSlots, Interval, Slots};
-use crate::math::{Ray, gamma};
+use crate::math::Ray;
 
 /// POV-Ray's farthest distance of a search.
 const FARTHEST: f64 = 2e10;
@@ -35,10 +35,6 @@ pub(super) struct Search<'a> {
     accuracy: f64,
     /// What is as good as zero is up to this steep where a ray leaves the surface.
     vicinity: f64,
-    /// Ray parameter by which rounding moves a point of the ray.
-    finest: f64,
-    /// Whether hits are wanted as exactly as they can be had.
-    polishes: bool,
     /// Steepest slope as far as is known.
     gradient: f64,
     /// -1 while the ray is inside.
@@ -83,23 +79,6 @@ impl Stretch {
     }
 }
 
-/// Where the signed value falls below zero.
-#[derive(Clone, Copy)]
-struct Fall {
-    /// POV-Ray's point, behind which its search goes on.
-    stop: f64,
-    /// A parameter in front of that with a value that is not below zero.
-    near: (f64, f64),
-    /// One with a value below zero.
-    far: (f64, f64),
-}
-
-impl Fall {
-    fn within(s: &Stretch) -> Self {
-        Self { stop: s.high, near: (s.low, s.at_low), far: (s.high, s.at_high) }
-    }
-}
-
 /// What bounds along a stretch say about the signed value.
 enum Course {
     /// Nowhere below zero.
@@ -110,28 +89,21 @@ enum Course {
 }
 
 /// Where the chord between two samples meets zero.
-fn meets_zero(low: (f64, f64), high: (f64, f64)) -> f64 {
+pub(super) fn meets_zero(low: (f64, f64), high: (f64, f64)) -> f64 {
     low.0 + (high.0 - low.0) * (low.1 / (low.1 - high.1))
 }
 
 impl<'a> Search<'a> {
-    /// For a ray that is in the container up to `end`. With `polishes` hits are the last points in front of the surface,
-    /// else they may lie up to `accuracy` behind it.
-    pub(super) fn new(surface: &'a Isosurface, ray: &'a Ray, end: f64, beyond: f64, polishes: bool) -> Self {
+    /// For a ray that is in the container between `start` and `end`.
+    pub(super) fn new(surface: &'a Isosurface, ray: &'a Ray, [start, end]: [f64; 2], beyond: f64) -> Self {
         let speed = ray.direction.length();
-        // A point of the ray rounds twice for each coordinate.
-        let finest = gamma(4) * (ray.origin.abs().max_element() / speed + end.abs());
-        // POV-Ray's accuracy is in world units; a surface that has been made smaller is looked at more closely. Values at
-        // places that cannot be told apart say nothing.
-        let accuracy = (surface.accuracy / speed.max(1.0)).max(16.0 * finest);
+        let accuracy = surface.accuracy_along(ray, [start, end]);
         Self {
             surface,
             ray,
             speed,
             accuracy,
             vicinity: 4.0 * surface.accuracy.max(accuracy * speed),
-            finest,
-            polishes,
             gradient: surface.max_gradient,
             sign: 1.0,
             beyond,
@@ -191,9 +163,8 @@ impl<'a> Search<'a> {
             }
         }
         while count < self.surface.max_trace {
-            let Some(fall) = self.first_fall(low, far) else { return };
-            low = fall.stop + 5.0 * accuracy;
-            let root = if self.polishes { self.polish(fall) } else { fall.stop };
+            let Some(root) = self.first_root(low, far) else { return };
+            low = root + 5.0 * accuracy;
             if found(root, SURFACE) || far - low < accuracy {
                 return;
             }
@@ -221,7 +192,7 @@ impl<'a> Search<'a> {
     }
 
     /// Where the signed value first falls below zero.
-    fn first_fall(&mut self, low: f64, high: f64) -> Option<Fall> {
+    fn first_root(&mut self, low: f64, high: f64) -> Option<f64> {
         if let Some([limit, _, factor]) = self.surface.evaluate
             && self.gradient > limit
         {
@@ -237,7 +208,7 @@ impl<'a> Search<'a> {
     }
 
     /// Halves until the stretch is as short as `accuracy`; NaN ends POV-Ray's search there.
-    fn halve(&mut self, mut s: Stretch) -> Option<Fall> {
+    fn halve(&mut self, mut s: Stretch) -> Option<f64> {
         if s.low >= self.beyond || self.looks_left == 0 {
             return None;
         }
@@ -293,111 +264,63 @@ impl<'a> Search<'a> {
 
     /// The hit of a stretch that is as short as `accuracy`: its far end, as in POV-Ray, or a thin
     /// sheet between its ends.
-    fn end_of(&mut self, s: Stretch) -> Option<Fall> {
+    fn end_of(&mut self, s: Stretch) -> Option<f64> {
         if s.at_high < 0.0 {
             self.lost |= !s.believed;
-            return Some(Fall::within(&s));
+            return Some(s.high);
         }
         if self.pieces_left == 0 || s.at_low < 0.0 {
             return None;
         }
-        let fall = self.look_between(s)?;
+        let root = self.look_between(s)?;
         self.lost = true;
-        Some(fall)
+        Some(root)
     }
 
     /// A point below zero between two samples that are not.
-    fn look_between(&mut self, mut s: Stretch) -> Option<Fall> {
+    fn look_between(&mut self, mut s: Stretch) -> Option<f64> {
         if self.fine_pieces_left == 0 || !matches!(self.course(&mut s), Course::Unknown) {
             return None;
         }
         self.fine_pieces_left -= 1;
         let (near, far) = self.halves(s)?;
         if near.at_high < 0.0 {
-            return Some(Fall::within(&near));
+            return Some(near.high);
         }
         self.look_between(near).or_else(|| self.look_between(far))
     }
 
     /// The point of halving behind the only change of a stretch that falls.
-    fn bisect(&mut self, mut s: Stretch) -> Fall {
+    fn bisect(&mut self, mut s: Stretch) -> f64 {
         while s.length() >= self.accuracy {
             s.believed &= s.may_fall();
             let Some((near, far)) = self.halves(s) else { break };
             s = if near.at_high < 0.0 { near } else { far };
         }
         self.lost |= !s.believed;
-        Fall::within(&s)
+        s.high
     }
 
     /// As [`bisect`](Self::bisect) with fewer samples: a few false positions foretell the way, and two
     /// samples prove it right.
-    fn leap(&mut self, s: Stretch) -> Option<Fall> {
-        let (mut near, mut far) = ((s.low, s.at_low), (s.high, s.at_high));
+    fn leap(&mut self, s: Stretch) -> Option<f64> {
+        let (mut low, mut high) = ((s.low, s.at_low), (s.high, s.at_high));
         for _ in 0..3 {
-            let t = meets_zero(near, far);
-            if !(near.0 < t && t < far.0) {
+            let t = meets_zero(low, high);
+            if !(low.0 < t && t < high.0) {
                 return None;
             }
             let at = self.value(t) * self.sign;
-            if at < 0.0 { far = (t, at) } else { near = (t, at) }
+            if at < 0.0 { high = (t, at) } else { low = (t, at) }
         }
-        let root = meets_zero(near, far);
+        let root = meets_zero(low, high);
         let (mut first, mut last) = (s.low, s.high);
         while last - first >= self.accuracy {
             let middle = 0.5 * (first + last);
             if middle < root { first = middle } else { last = middle }
         }
-        let (at_first, at_last) = (self.value(first) * self.sign, self.value(last) * self.sign);
-        if !(at_first >= 0.0 && at_last < 0.0) {
-            return None;
-        }
-        let near = if near.0 > first && near.1 >= 0.0 { near } else { (first, at_first) };
-        let far = if far.0 < last { far } else { (last, at_last) };
-        Some(Fall { stop: last, near, far })
-    }
-
-    /// The last point in front of the surface that rounding can tell from the first one behind it: rays that leave it are
-    /// on its outside, however flat they go.
-    ///
-    /// Source: the Illinois method, Dowell and Jarratt 1971, with a bisection wherever it is slower than that.
-    fn polish(&mut self, fall: Fall) -> f64 {
-        let Fall { stop, mut near, mut far } = fall;
-        if near.1.is_nan() || near.1 < 0.0 || far.0 > stop {
-            return stop;
-        }
-        let mut widths = [f64::INFINITY; 2];
-        let mut was_near = None;
-        // Every third step halves the stretch, at least.
-        for _ in 0..3 * f64::MANTISSA_DIGITS {
-            let width = far.0 - near.0;
-            if width <= 2.0 * self.finest {
-                break;
-            }
-            let chord = meets_zero(near, far);
-            let t = if width > 0.5 * widths[0] || chord.is_nan() {
-                0.5 * (near.0 + far.0)
-            } else {
-                // A step away from an end next to the root brings the other end there.
-                chord.clamp(near.0 + self.finest, far.0 - self.finest)
-            };
-            if t <= near.0 || t >= far.0 {
-                break;
-            }
-            widths = [widths[1], width];
-            let at = self.value(t) * self.sign;
-            let is_near = at >= 0.0;
-            let again = was_near == Some(is_near);
-            was_near = Some(is_near);
-            if is_near {
-                near = (t, at);
-                far.1 *= if again { 0.5 } else { 1.0 };
-            } else {
-                far = (t, at);
-                near.1 *= if again { 0.5 } else { 1.0 };
-            }
-        }
-        near.0
+        let right = self.value(first) * self.sign >= 0.0 && self.value(last) * self.sign < 0.0;
+        right.then_some(last)
     }
 
     /// Bounds of the unsigned value and its slope between two parameters.
