@@ -17,6 +17,11 @@ const ROOM: f64 = 64.0;
 /// the roots lose as many digits as the square of that.
 const THIN: f64 = 64.0;
 
+/// How many times as large as its circle a tube is from which on the torus is as good as a sphere: the dimples of its poles are
+/// no larger than the square root of a rounding, and the roots of its two surfaces no further apart than about a thousand
+/// times what they lose to each other.
+const ROUND: f64 = (1 << 16) as f64;
+
 impl Torus {
     fn reach(&self) -> f64 {
         self.major.abs() + self.minor.abs()
@@ -58,6 +63,33 @@ impl Torus {
         }
     }
 
+    /// Calls `found` with all crossings of a torus that is all but a sphere, whose outer and inner surfaces are looked for
+    /// one by one: each lies between two spheres.
+    fn shells(&self, o: DVec3, d: DVec3, mut found: impl FnMut(f64)) {
+        let (major, minor) = (self.major.abs(), self.minor.abs());
+        let nearest = -o.dot(d);
+        let across = (o + d * nearest).length();
+        let half = |radius: f64| ((radius - across) * (radius + across)).max(0.0).sqrt();
+        let inner = half(minor - major);
+        for (circle, outer) in [(major, half(minor + major)), (-major, half(minor))] {
+            let height = |s: f64| {
+                let p = o + d * s;
+                DVec2::new(DVec2::new(p.x, p.z).length() - circle, p.y).length() - minor
+            };
+            for side in [-1.0, 1.0] {
+                let (mut inside, mut outside) = (nearest + side * inner, nearest + side * outer);
+                if height(inside) > 0.0 {
+                    continue;
+                }
+                for _ in 0..f64::MANTISSA_DIGITS {
+                    let middle = 0.5 * (inside + outside);
+                    if height(middle) > 0.0 { outside = middle } else { inside = middle }
+                }
+                found(outside);
+            }
+        }
+    }
+
     /// The value at `o`: (ρ-R)²+y²-r² times (ρ+R)²+y²-r², which does not cancel near the surface.
     fn value(&self, o: DVec3) -> f64 {
         let rho = DVec2::new(o.x, o.z).length();
@@ -96,6 +128,13 @@ impl Primitive for Torus {
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut ShapeHits) {
         let near = NearRay::new(ray, DVec3::ZERO, 2.0 * self.reach());
+        if self.minor.abs() > ROUND * self.major.abs() {
+            self.shells(near.origin, near.direction, |s| {
+                let t = near.t(s);
+                out.extend(range.contains(t).then_some(ShapeHit { t, part: 0 }));
+            });
+            return;
+        }
         let Some((low, high)) = self.clip(near.origin, near.direction, near.range(range)) else { return };
         let mut search = |middle: f64, low: f64, high: f64| {
             let coefficients = self.quartic(near.origin + near.direction * middle, near.direction);
