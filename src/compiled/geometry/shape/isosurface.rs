@@ -86,6 +86,18 @@ impl Isosurface {
         gamma(4) * (ray.origin.abs().max_element() / ray.direction.length() + farthest)
     }
 
+    /// How long a way out of the surface POV-Ray's rays overlook. With an accuracy that is next to this, as by default, surfaces
+    /// shade themselves at low light, and pictures show it; with a finer one they do not.
+    fn overlooked(&self) -> f64 {
+        /// POV-Ray's least distance of what shades. Source: shading facts, shadow rays.
+        const LEAST: f64 = 1e-3;
+        /// What it skips where a ray leaves the surface, in units of the accuracy.
+        const SKIPPED: f64 = 5.0;
+        /// Accuracies less than this part of the least distance are finer.
+        const FINER: f64 = 1.0 / 16.0;
+        if self.accuracy < FINER * LEAST { f64::INFINITY } else { LEAST.max(SKIPPED * self.accuracy) }
+    }
+
     /// How far behind the surface a hit lies, as a ray parameter: back there is the last point in front of the surface
     /// that rounding can tell from the first one behind it. Rays that start there are outside, however flat they go.
     ///
@@ -208,6 +220,7 @@ impl Primitive for Isosurface {
             if (p.distance(center) - radius).abs() < ON_SPHERE);
         let (gradient, noise) = self.gradient(p);
         let normal = if on_sphere { self.container.boundary(p).1 } else { gradient };
-        LocalSurface { depth: self.depth(ray, t), ..LocalSurface::plain(p, error + noise, normal) }
+        let (depth, overlooked) = (self.depth(ray, t), self.overlooked());
+        LocalSurface { depth, overlooked, ..LocalSurface::plain(p, error + noise, normal) }
     }
 }

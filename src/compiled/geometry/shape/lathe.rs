@@ -36,6 +36,9 @@ fn square(c: &[f64; 4], sum: &mut [f64; 7], factor: f64) {
 /// Up to this slope, per unit of length, a line counts as nearly across the axis.
 const ACROSS: f64 = 0.1;
 
+/// Up to this one, the roots of both sides of a piece are so near to each other that they would lose more than five bits.
+const FLAT: f64 = 1.0 / 32.0;
+
 /// A cubic in powers of steps of some length from a place on.
 fn shifted(c: &[f64; 4], from: f64, length: f64) -> [f64; 4] {
     let [a, b, c, d] = *c;
@@ -85,6 +88,7 @@ impl Lathe {
     }
 
     /// Crossings of a unit-speed ray with one turned piece, (s, w), anywhere on the line.
+    #[inline(always)]
     fn turned(&self, segment: &Segment, near: &NearRay, mut found: impl FnMut(f64, f64)) {
         let (o, d) = (near.origin, near.direction);
         let (o2, d2) = (DVec2::new(o.x, o.z), DVec2::new(d.x, d.z));
@@ -109,32 +113,38 @@ impl Lathe {
     }
 
     /// Where on a piece a line that is not across the axis meets what it makes.
-    #[inline]
+    #[inline(always)]
     fn eliminant_roots(&self, segment: &Segment, o: DVec3, d: DVec3) -> Roots {
         let (o2, d2) = (DVec2::new(o.x, o.z), DVec2::new(d.x, d.z));
+        if d.y.abs() <= FLAT {
+            return self.flat_roots(segment, o, d);
+        }
         let mut y = segment.y;
         let mut c = [0.0; 7];
-        if d.y.abs() > ACROSS {
-            // |d.y o2 + (y(w) - o.y) d2|² = d.y² r(w)², the ray's parameter eliminated.
-            y[0] -= o.y;
-            square(&y, &mut c, d2.length_squared());
-            square(&segment.x, &mut c, -d.y * d.y);
-            for i in 0..4 {
-                c[i] += 2.0 * d.y * o2.dot(d2) * y[i];
-            }
-            c[0] += d.y * d.y * o2.length_squared();
-            let mut roots = roots_in(&c, 0.0, 1.0);
-            settle(
-                &mut roots,
-                [0.0, 1.0],
-                [segment.start(), segment.end].map(|p| {
-                    let across = d.y * o2 + (p.y - o.y) * d2;
-                    // The other way round, so that the point of a piece on the axis is outside.
-                    d.y * d.y * (p.x * p.x) - across.length_squared()
-                }),
-            );
-            return roots;
+        // |d.y o2 + (y(w) - o.y) d2|² = d.y² r(w)², the ray's parameter eliminated.
+        y[0] -= o.y;
+        let (rise, turn, radius) = (d2.length_squared(), 2.0 * d.y * o2.dot(d2), -d.y * d.y);
+        let offset = d.y * d.y * o2.length_squared();
+        square(&y, &mut c, rise);
+        square(&segment.x, &mut c, radius);
+        for i in 0..4 {
+            c[i] += turn * y[i];
         }
+        c[0] += offset;
+        let mut roots = roots_in(&c, 0.0, 1.0);
+        // In the same steps as the first coefficient, which is that of the end of the piece before to the last bit. The
+        // other way round, so that the point of a piece on the axis is outside.
+        let end = segment.end - DVec2::new(0.0, o.y);
+        let last = ((rise * end.y * end.y + radius * end.x * end.x) + turn * end.y) + offset;
+        settle(&mut roots, [0.0, 1.0], [-c[0], -last]);
+        roots
+    }
+
+    /// The same for a line that is nearly across the axis.
+    #[inline(never)]
+    fn flat_roots(&self, segment: &Segment, o: DVec3, d: DVec3) -> Roots {
+        let (o2, d2) = (DVec2::new(o.x, o.z), DVec2::new(d.x, d.z));
+        let y = segment.y;
         // From where the line is nearest to the axis, at the height `middle`:
         // |d2|² (y(w) - middle)² = d.y² (r(w)² - nearest²).
         // The flatter the line, the nearer to each other are the roots of pieces that cross it; so only those stretches of
@@ -152,7 +162,7 @@ impl Lathe {
             // Both coordinates in powers of a step of this stretch's length: heights above the middle keep their digits.
             let (r, mut rise) = (shifted(&segment.x, from, to - from), shifted(&y, from, to - from));
             rise[0] -= middle;
-            c = [0.0; 7];
+            let mut c = [0.0; 7];
             square(&rise, &mut c, flat * flat);
             square(&r, &mut c, -d.y * d.y);
             c[0] += d.y * d.y * nearest * nearest;

@@ -38,18 +38,23 @@ pub(super) fn join(segments: &mut [Segment]) {
 /// Makes the roots of a function over a piece agree with its values at the piece's two ends, of which neighbours have the
 /// same: an odd number of roots where only one of them is above zero. So a root on a common end is neither lost nor
 /// found twice.
-pub(super) fn settle(roots: &mut Roots, [from, to]: [f64; 2], [first, last]: [f64; 2]) {
-    if (roots.len() % 2 == 1) == ((first > 0.0) != (last > 0.0)) {
-        return;
+#[inline(always)]
+pub(super) fn settle(roots: &mut Roots, ends: [f64; 2], [first, last]: [f64; 2]) {
+    if (roots.len() % 2 == 1) != ((first > 0.0) != (last > 0.0)) {
+        repair(roots, ends, first.abs() < last.abs());
     }
-    // Rounding put a root on the wrong side of the end where the function is as good as zero.
-    let end = if first.abs() < last.abs() { from } else { to };
+}
+
+/// Rounding put a root on the wrong side of the end where the function is as good as zero: takes it away, or adds it.
+#[cold]
+fn repair(roots: &mut Roots, [from, to]: [f64; 2], at_first: bool) {
+    let end = if at_first { from } else { to };
     let distance = |w: f64| (w - end).abs();
     match (0..roots.len()).min_by(|a, b| distance(roots[*a]).total_cmp(&distance(roots[*b]))) {
         Some(i) if distance(roots[i]) <= ROOT_ERROR * (to - from) => {
             roots.remove(i);
         }
-        _ => roots.insert(if end == from { 0 } else { roots.len() }, end),
+        _ => roots.insert(if at_first { 0 } else { roots.len() }, end),
     }
 }
 
@@ -107,7 +112,8 @@ impl Segment {
         let mut c: [f64; 4] = std::array::from_fn(|i| x * self.x[i] + y * self.y[i]);
         c[0] += constant;
         let mut roots = roots_in(&c, 0.0, 1.0);
-        settle(&mut roots, [0.0, 1.0], [self.start(), self.end].map(|p| (x * p.x + y * p.y) + constant));
+        // The first coefficient is what the end of the piece before has, to the last bit.
+        settle(&mut roots, [0.0, 1.0], [c[0], (x * self.end.x + y * self.end.y) + constant]);
         roots
     }
 

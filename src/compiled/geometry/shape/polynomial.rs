@@ -18,8 +18,9 @@ pub(crate) struct Polynomial {
 /// a third of what there are.
 const SPARE_BITS: i32 = 16;
 
-/// One piece of the interval next to a shape for so many degrees: over each, the highest power grows by less than a few
-/// thousand times.
+/// The highest degree up to which the interval next to a shape is one piece, and of more, one for so many degrees: over each,
+/// the highest power grows by less than a few thousand times.
+const HIGH_DEGREE: usize = 16;
 const DEGREES_A_PIECE: usize = 8;
 
 /// A polynomial along a ray, rising.
@@ -144,7 +145,7 @@ impl Primitive for Polynomial {
         let inside = near.range(range);
         let radius = balance(along);
         let mut record = |s: f64| {
-            let t = if n > DEGREES_A_PIECE { self.polished(ray, near.t(s), radius) } else { near.t(s) };
+            let t = if n > HIGH_DEGREE { self.polished(ray, near.t(s), radius) } else { near.t(s) };
             if range.contains(t) {
                 out.push(ShapeHit { t, part: 0 });
             }
@@ -184,7 +185,7 @@ impl Primitive for Polynomial {
 /// what is of rounding at the ends hides the middle; so it is cut into pieces.
 fn near_roots(along: &[f64], [low, high]: [f64; 2]) -> Roots {
     let n_pieces = (along.len() - 1).div_ceil(DEGREES_A_PIECE);
-    if n_pieces <= 1 || !(high - low).is_finite() || low >= high {
+    if along.len() - 1 <= HIGH_DEGREE || !(high - low).is_finite() || low >= high {
         return roots_in(along, low, high);
     }
     let value = |s: f64| along.iter().rev().fold(0.0, |sum, c| sum * s + c);

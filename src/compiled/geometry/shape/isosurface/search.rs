@@ -10,9 +10,6 @@ use super::{CAP, Isosurface, SURFACE};
 use crate::function::{Enclosure, EnclosureSlots, Interval, Slots};
 use crate::math::Ray;
 
-/// POV-Ray's farthest distance of a search.
-const FARTHEST: f64 = 2e10;
-
 /// Pieces that one search may look at with guarantee. A ray that runs within the surface can be
 /// halved for ever without an answer; the few it takes anywhere else are below a thousand. Beyond
 /// this, `max_gradient` is believed.
@@ -128,7 +125,7 @@ impl<'a> Search<'a> {
 
     /// Calls `found` with every hit until it returns true.
     pub(super) fn run(&mut self, start: f64, end: f64, mut found: impl FnMut(f64, u32) -> bool) {
-        let (accuracy, far) = (self.accuracy, end.min(FARTHEST / self.speed.min(1.0)));
+        let (accuracy, far) = (self.accuracy, end);
         let (mut low, mut count) = (start, 0);
         if !self.surface.open {
             // A hit on the container counts only if anything is left to search.
