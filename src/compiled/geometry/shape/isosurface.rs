@@ -44,7 +44,7 @@ pub(crate) struct Isosurface {
 const SURFACE: u32 = 0;
 const CAP: u32 = 1;
 
-/// POV-Ray's distance from a spherical container at which its normal counts.
+/// POV-Ray's distance from a spherical container at which its normal counts; of a small one, in units of its radius.
 const ON_SPHERE: f64 = 1e-10;
 
 impl Isosurface {
@@ -217,7 +217,7 @@ impl Primitive for Isosurface {
             return LocalSurface::plain(point, error, normal);
         }
         let on_sphere = matches!(self.container, Container::Sphere { center, radius }
-            if (p.distance(center) - radius).abs() < ON_SPHERE);
+            if (p.distance(center) - radius).abs() < ON_SPHERE * radius.abs().min(1.0));
         let (gradient, noise) = self.gradient(p);
         let normal = if on_sphere { self.container.boundary(p).1 } else { gradient };
         let (depth, overlooked) = (self.depth(ray, t), self.overlooked());
