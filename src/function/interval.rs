@@ -133,7 +133,11 @@ impl Interval {
 
     /// Under a library function that rises everywhere in the interval.
     pub fn rising(self, f: impl Fn(f64) -> f64) -> Self {
-        Self::rounded(f(self.low), f(self.high), LIBRARY)
+        // What is too large for a number is at least the largest one.
+        let (low, high) = (f(self.low), f(self.high));
+        let low = if low == f64::INFINITY { f64::MAX } else { low };
+        let high = if high == f64::NEG_INFINITY { f64::MIN } else { high };
+        Self::rounded(low, high, LIBRARY)
     }
 
     /// Square roots; whole if there is any of a negative number.

@@ -24,6 +24,7 @@ mod ray;
 mod roots;
 pub(crate) mod sine;
 mod transform;
+mod unit;
 mod uv;
 
 pub use bounds::Bounds;
@@ -37,4 +38,5 @@ pub use points::{LANES, Points, each_lane};
 pub use ray::{Range, Ray};
 pub use roots::{MAX_DEGREE, Roots, discriminant, quadratic_roots, root_bound, roots_in};
 pub use transform::{SingularMatrix, Transform};
+pub use unit::unit;
 pub use uv::{Uv, full_turn_angle, spherical_uv};

@@ -1,6 +1,5 @@
 //! Shapes that are converted rather than folded: large data, shared by all copies.
 
-use super::POV_TINY;
 use super::builder::Builder;
 use super::height_field::{grid_key, height_grid};
 use super::implicit;
@@ -10,8 +9,9 @@ use super::sweep;
 use crate::compile::texture::Refusal;
 use crate::compiled::geometry::{Blob, BlobPart, Core, HeightField, Mesh, MeshData, MeshTree, Shape as Compiled};
 use crate::diag::Diagnostic;
-use crate::math::{DVec3, Transform};
+use crate::math::{Bounds, DVec3, Transform};
 use crate::scene::{self, BicubicPatch, Object, Shape};
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// Converts a freeform shape: `None` if it is not one, `Some(None)` if nothing of it shows or
@@ -46,7 +46,7 @@ pub(super) fn convert(builder: &mut Builder<'_>, object: &Object, inside: &Conte
             Some(of_functions(builder, shape, object, inside))
         }
         Shape::JuliaFractal(julia) => Some(Some(placed(implicit::julia(julia), inside.group_from_parent))),
-        Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base.distance(*cap) < POV_TINY => {
+        Shape::Cylinder { base, cap, .. } | Shape::Cone { base, cap, .. } if base == cap => {
             let message = "degenerate cylinder or cone: both ends are the same point";
             builder.errors.push(Diagnostic::error(object.span, message));
             Some(None)
@@ -125,15 +125,63 @@ fn convert_blob(builder: &mut Builder<'_>, blob: &scene::Blob, inside: &Context)
             add(Core::Point, &Transform::translation(a));
         }
     }
+    let mut parts = merged(parts);
     parts.retain(|p| p.radius != 0.0 && p.strength != 0.0);
     placed(Compiled::Blob(Blob::new(parts.into(), blob.threshold)), inside.group_from_parent)
 }
 
+/// Parts with one in each place, whose strengths are exact where large ones cancel: in the field their rounding would
+/// outweigh what is left. Parts with textures stay, because the strength of each decides how much of it shows.
+fn merged(mut parts: Vec<BlobPart>) -> Vec<BlobPart> {
+    if parts.iter().all(|p| p.strength >= 0.0) {
+        return parts;
+    }
+    let mut strengths: FxHashMap<[u64; 15], (usize, Vec<f64>)> = FxHashMap::default();
+    for (i, part) in parts.iter_mut().enumerate().filter(|(_, part)| part.texture.is_none()) {
+        let (core, length) = match part.core {
+            Core::Point => (0, 0.0),
+            Core::Axis(length) => (1, length),
+            Core::Start => (2, 0.0),
+            Core::End(length) => (3, length),
+        };
+        let place = &part.blob_from_part;
+        let columns = place.linear().to_cols_array().into_iter().chain(place.origin().to_array());
+        let mut numbers = [part.radius, length].into_iter().chain(columns).map(f64::to_bits);
+        let key = std::array::from_fn(|k| if k == 0 { core } else { numbers.next().unwrap_or_default() });
+        let (_, of_place) = strengths.entry(key).or_insert_with(|| (i, Vec::new()));
+        of_place.push(std::mem::take(&mut part.strength));
+    }
+    #[allow(clippy::iter_over_hash_type)] // each entry concerns a part of its own
+    for (first, mut of_place) in strengths.into_values() {
+        // What cancels comes together, before anything smaller is added.
+        of_place.sort_unstable_by(|a, b| b.abs().total_cmp(&a.abs()));
+        parts[first].strength = of_place.iter().sum();
+    }
+    parts
+}
+
 /// A patch as triangles, moved first: its flatness is measured in the world.
+///
+/// A patch far away stays by the origin, and rays are moved.
 fn convert_patch(patch: &BicubicPatch, inside: &Context) -> Folded {
-    let points = patch.points.map(|row| row.map(|p| inside.group_from_parent.point(p)));
-    let tree = Arc::new(MeshTree::new(super::patch::tessellate(patch, &points)));
-    placed(Compiled::Mesh(Mesh { tree, inside_vector: None }), Transform::IDENTITY)
+    /// How many times as far away as it is large a patch counts as far: its corners, in single precision, would lose more
+    /// than a third of their digits.
+    const FAR: f64 = 256.0;
+    /// Parts of a patch that flatness has to tell apart.
+    const FEWEST_PARTS: f64 = 64.0;
+    let place = &inside.group_from_parent;
+    let points = patch.points.map(|row| row.map(|p| place.point(p)));
+    let b = Bounds::around(points.iter().flatten().copied());
+    let far = b.min.abs().max(b.max.abs()).max_element() > FAR * b.size().max_element();
+    let origin = if far { points[0][0] } else { DVec3::ZERO };
+    let points = if far { points.map(|row| row.map(|p| p - origin)) } else { points };
+    // Of a patch that has been made so small that the flatness is a good part of it, that is made smaller, too.
+    let m = place.linear();
+    let stretch = [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length).into_iter().fold(0.0, f64::max);
+    let coarse = stretch < 1.0 && patch.flatness * FEWEST_PARTS > b.size().max_element();
+    let flatness = if coarse { patch.flatness * stretch } else { patch.flatness };
+    let tree = Arc::new(MeshTree::new(super::patch::tessellate(patch, flatness, &points)));
+    placed(Compiled::Mesh(Mesh { tree, inside_vector: None }), Transform::translation(origin))
 }
 
 /// A mesh, whose hierarchy all its copies share.

@@ -53,8 +53,9 @@ impl Part {
     /// Whether all control points are nearer than `flatness` to the plane of three corners.
     fn is_flat(&self, flatness: f64) -> bool {
         let p = &self.points;
-        // POV-Ray's thresholds for corners that coincide or stand in a line.
-        let second = if p[0][3].distance(p[0][0]) < POV_TINY { p[3][3] } else { p[0][3] };
+        // POV-Ray's thresholds for corners that coincide or stand in a line; of a small patch, in units of its size.
+        let diagonal = p[3][3].distance(p[0][0]).max(p[0][3].distance(p[3][0]));
+        let second = if p[0][3].distance(p[0][0]) < POV_TINY * diagonal.min(1.0) { p[3][3] } else { p[0][3] };
         let (u, v) = (second - p[0][0], p[3][0] - p[0][0]);
         let normal = u.cross(v);
         if normal.length_squared() <= POV_TINY * u.length_squared() * v.length_squared() {
@@ -91,8 +92,8 @@ fn normal(p: &Points, at: DVec2) -> DVec3 {
     if n.length_squared() <= POV_TINY * u.length_squared() * v.length_squared() { DVec3::X } else { n.normalize() }
 }
 
-/// Triangles of a patch whose control points are in their final place.
-pub(super) fn tessellate(patch: &BicubicPatch, points: &Points) -> MeshData {
+/// Triangles of a patch whose control points have their final size.
+pub(super) fn tessellate(patch: &BicubicPatch, flatness: f64, points: &Points) -> MeshData {
     let mut mesh = MeshData { normal_indices: None, ..MeshData::default() };
     let whole = Part { points: *points, low: DVec2::ZERO, high: DVec2::ONE };
     // Deeper than any file asks for would only repeat numbers.
@@ -100,7 +101,7 @@ pub(super) fn tessellate(patch: &BicubicPatch, points: &Points) -> MeshData {
     let mut waiting = vec![(whole, 0)];
     while let Some((part, depth)) = waiting.pop() {
         let (in_u, in_v) = (depth < u_steps, depth < v_steps);
-        if !(in_u || in_v) || part.is_flat(patch.flatness) {
+        if !(in_u || in_v) || part.is_flat(flatness) {
             add_leaf(patch, points, &part, &mut mesh);
             continue;
         }

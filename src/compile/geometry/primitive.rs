@@ -6,7 +6,7 @@ use crate::compiled::geometry::{
     Cone, Cuboid, Disc, Ovus, Plane, Polygon, Polynomial, Quadric, Shape as Compiled, SmoothTriangle, Sphere,
     Superellipsoid, Torus, Triangle,
 };
-use crate::math::{DVec3, MAX_DEGREE, Transform, gamma};
+use crate::math::{DVec3, MAX_DEGREE, Transform, gamma, unit};
 use crate::scene::Shape;
 use std::sync::Arc;
 
@@ -144,11 +144,11 @@ fn keeps_axes(place: &Transform) -> bool {
 
 /// A plane is a plane under every transform.
 fn fold_plane(normal: DVec3, distance: f64, place: &Transform) -> Option<Plane> {
-    let normal = normal.try_normalize()?;
+    let normal = unit(normal)?;
     if place.is_identity() {
         return Some(Plane { normal, distance });
     }
-    let moved = place.normal(normal).try_normalize()?;
+    let moved = unit(place.normal(normal))?;
     Some(Plane { normal: moved, distance: moved.dot(place.point(normal * distance)) })
 }
 
@@ -171,10 +171,11 @@ fn fold_cone(base: (DVec3, f64), cap: (DVec3, f64), open: bool, place: &Transfor
     let ((big, wide), (small, narrow)) = if base.1 < cap.1 { (cap, base) } else { (base, cap) };
     let length = big.distance(small);
     let axis = ((big - small) / length).try_normalize()?;
-    // POV-Ray's thresholds for "as good as a cylinder".
-    let straight = (wide - narrow).abs() < POV_TINY || (wide - narrow).powi(2) / wide.abs() < POV_TINY;
+    // POV-Ray's thresholds for "as good as a cylinder", which are its own where the big radius is 1.
+    let difference = (wide - narrow) / wide;
+    let straight = difference.abs() < POV_TINY || difference * difference < POV_TINY;
     let (radius, taper, origin, height) = if straight || wide <= 0.0 {
-        let radius = if (wide - narrow).abs() < POV_TINY { base.1.abs() } else { wide.abs() };
+        let radius = if difference.abs() < POV_TINY { base.1.abs() } else { wide.abs() };
         (radius, None, small, length)
     } else {
         let height = wide * length / (wide - narrow);
@@ -194,11 +195,13 @@ fn fold_cone(base: (DVec3, f64), cap: (DVec3, f64), open: bool, place: &Transfor
 /// A polygon in its own plane: outlines close where a point repeats their first.
 fn fold_polygon(points: &[DVec3], place: &Transform) -> Option<Folded> {
     let first = *points.first()?;
-    let u = points.iter().map(|p| *p - first).find(|u| u.length_squared() > POV_TINY)?;
-    // POV-Ray's thresholds, also for points off the plane, which make the whole invisible; room
-    // for rounding is added, without which large turned polygons vanish there.
+    // POV-Ray's thresholds, also for points off the plane, which make the whole invisible, but in units of the polygon's
+    // reach; room for rounding is added, without which large turned polygons vanish there.
+    let reach = points.iter().map(|p| (*p - first).abs().max_element()).fold(0.0, f64::max);
+    let edges_from_first = || points.iter().map(|p| (*p - first) / reach);
+    let u = edges_from_first().find(|u| u.length_squared() > POV_TINY)?;
     let apart = |v: &DVec3| v.length_squared() > POV_TINY && u.cross(*v).length_squared() > POV_TINY;
-    let v = points.iter().map(|p| *p - first).find(apart)?;
+    let v = edges_from_first().find(apart)?;
     let normal = u.cross(v).try_normalize()?;
     let x = u.try_normalize()?;
     let frame = Transform::from_columns(x, normal.cross(x), normal, first).ok()?;
@@ -213,11 +216,11 @@ fn fold_polygon(points: &[DVec3], place: &Transform) -> Option<Folded> {
         outline.clear();
     };
     for p in points {
-        if (*p - first).dot(normal).abs() > POV_TINY + gamma(64) * size {
+        if (*p - first).dot(normal).abs() > POV_TINY * reach + gamma(64) * size {
             return None;
         }
         match outline.first() {
-            Some(start) if (*p - *start).abs().max_element() < POV_TINY => close(&mut outline),
+            Some(start) if (*p - *start).abs().max_element() < POV_TINY * reach => close(&mut outline),
             _ => outline.push(*p),
         }
     }

@@ -8,14 +8,16 @@ use crate::compiled::geometry::{
 use crate::math::{Bounds, DVec2, DVec3};
 use crate::scene::{self, SweepSpline};
 
-/// POV-Ray's distance at which outline points are the same.
+/// POV-Ray's distance at which outline points are the same, in units of the outline's size.
 const SAME_POINT: f64 = 1e-10;
 
 /// POV-Ray's `tolerance` of sphere sweeps where none is given.
 const SWEEP_TOLERANCE: f64 = 1e-6;
 
-fn same(a: DVec2, b: DVec2) -> bool {
-    (a - b).abs().max_element() < SAME_POINT
+/// Tells whether two of some points are the same.
+fn sameness(points: &[DVec2]) -> impl Fn(DVec2, DVec2) -> bool {
+    let size = points.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+    move |a, b| (a - b).abs().max_element() <= SAME_POINT * size
 }
 
 /// A prism; `None` if its outline does not close.
@@ -36,6 +38,7 @@ pub(super) fn prism(prism: &scene::Prism) -> Option<Compiled> {
 /// Lines; an outline ends where a point repeats its first, the last one is closed in any case.
 fn linear_outline(points: &[DVec2]) -> Vec<Segment> {
     let mut segments = Vec::new();
+    let same = sameness(points);
     let mut start = 0;
     for i in 1..points.len() {
         if i == start {
@@ -55,6 +58,7 @@ fn linear_outline(points: &[DVec2]) -> Vec<Segment> {
 /// Splines with one control point before each outline and `after` behind it.
 fn steered_outline(points: &[DVec2], after: usize, segment: impl Fn(&[DVec2]) -> Segment) -> Option<Vec<Segment>> {
     let mut segments = Vec::new();
+    let same = sameness(points);
     let mut rest = points;
     while rest.len() > 2 + after {
         let end = (2..rest.len() - after).find(|i| same(rest[*i], rest[1]))?;

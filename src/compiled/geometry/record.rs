@@ -100,6 +100,10 @@ pub struct Surface {
     pub point: DVec3,
     /// Bound of the distance between `point` and the true surface, world units.
     pub point_error: f64,
+    /// From `point` back to where the ray came through the surface, if that is not the same.
+    pub retreat: DVec3,
+    /// Rays whose way out is longer than this stay inside, as in POV-Ray.
+    pub overlooked: f64,
     /// Unit world normal of the surface itself: the object's own outward side, not turned to the ray.
     pub geometric_normal: DVec3,
     /// Unit world normal for shading: interpolated where the surface is smooth, else the geometric one.
@@ -137,7 +141,11 @@ impl Surface {
     /// Source: Pharr, Jakob, Humphreys, Physically Based Rendering, 3rd ed., section 3.9.5.
     pub fn leave(&self, direction: DVec3) -> (Ray, Range) {
         let side = if self.geometric_normal.dot(direction) < 0.0 { -1.0 } else { 1.0 };
-        let origin = self.point + self.geometric_normal * (side * LEAVE_FACTOR * self.point_error);
+        // Only rays that go back have to get through the surface first.
+        let depth = side * self.geometric_normal.dot(self.retreat);
+        let goes_back = depth > 0.0 && depth <= self.overlooked * self.geometric_normal.dot(direction).abs();
+        let point = if goes_back { self.point + self.retreat } else { self.point };
+        let origin = point + self.geometric_normal * (side * LEAVE_FACTOR * self.point_error);
         (Ray::new(origin, direction), Range::FORWARD)
     }
 }

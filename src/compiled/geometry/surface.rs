@@ -150,6 +150,8 @@ impl Geometry {
         Surface {
             point,
             point_error: found.error + crate::math::gamma(2) * point.abs().max_element(),
+            retreat: ray.direction * -found.depth,
+            overlooked: found.overlooked,
             geometric_normal,
             normal,
             uv: uv_of(primitive, uv, [local_point, group_point, point]),

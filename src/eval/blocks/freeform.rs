@@ -10,7 +10,8 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Below this a blob cylinder has no axis, and two points of a sor have the same height, as in POV-Ray.
+/// Below this a blob cylinder has no axis, and two points of a sor have the same height, as in POV-Ray; of
+/// parts smaller than 1, in units of their size.
 const POV_DEGENERATE: f64 = 1e-10;
 
 impl Evaluator<'_> {
@@ -73,7 +74,8 @@ impl Evaluator<'_> {
         self.comma()?;
         self.accept(K::Strength)?;
         let strength = self.float()?;
-        if is_cylinder && (second - first).length() < POV_DEGENERATE {
+        let size = first.abs().max(second.abs()).max_element().max(radius.abs()).min(1.0);
+        if is_cylinder && (first == second || (second - first).length() < POV_DEGENERATE * size) {
             return self.error(span, "the two ends of a blob cylinder must not be the same point");
         }
         let mut part = component([first, second], is_cylinder, radius, strength);
@@ -257,7 +259,8 @@ impl Evaluator<'_> {
             return self.error(span, "the points of a sor must not have a negative radius");
         }
         let falls = points[1..points.len() - 1].windows(2).any(|w| w[1].y <= w[0].y);
-        let flat = points.windows(3).any(|w| (w[2].y - w[0].y).abs() < POV_DEGENERATE);
+        let size = points.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max).min(1.0);
+        let flat = points.windows(3).any(|w| (w[2].y - w[0].y).abs() < POV_DEGENERATE * size);
         if falls || flat {
             return self.error(span, "the heights of a sor's points must rise from point to point");
         }

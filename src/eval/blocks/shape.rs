@@ -2,15 +2,22 @@
 
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, unit};
 use crate::scene::{CsgOperation, Shape, SmoothTriangle, SweepSpline};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
 /// POV-Ray's highest order of a polynomial.
 const MAX_ORDER: i64 = 35;
-/// Below this a cylinder's or cone's axis counts as no axis, as in POV-Ray.
+/// Below this a cylinder's or cone's axis counts as no axis, as in POV-Ray; of one smaller than 1, in units of its size.
 const POV_DEGENERATE: f64 = 1e-10;
+
+/// Whether the ends of an axis count as the same point, where a shape has such radii.
+fn is_degenerate(ends: [DVec3; 2], radii: [f64; 2]) -> bool {
+    let [a, b] = ends;
+    let size = a.abs().max(b.abs()).max_element().max(radii[0].abs()).max(radii[1].abs());
+    a == b || (b - a).length() < POV_DEGENERATE * size.min(1.0)
+}
 
 impl Evaluator<'_> {
     /// The parameters of a shape, after its opening brace.
@@ -104,7 +111,7 @@ impl Evaluator<'_> {
         let normal = self.vector()?;
         self.comma()?;
         let distance = self.float()?;
-        match normal.try_normalize() {
+        match unit(normal) {
             Some(normal) => Ok(Shape::Plane { normal, distance }),
             None => self.error(span, "a plane needs a normal that is not zero"),
         }
@@ -116,7 +123,7 @@ impl Evaluator<'_> {
         let cap = self.vector()?;
         self.comma()?;
         let radius = self.float()?.abs();
-        if (cap - base).length() < POV_DEGENERATE {
+        if is_degenerate([base, cap], [radius; 2]) {
             return self.error(span, "the two ends of a cylinder must not be the same point");
         }
         Ok(Shape::Cylinder { base, cap, radius, open: self.accept(K::Open)? })
@@ -130,7 +137,7 @@ impl Evaluator<'_> {
         let cap = self.vector()?;
         self.comma()?;
         let cap_radius = self.float()?;
-        if (cap - base).length() < POV_DEGENERATE {
+        if is_degenerate([base, cap], [base_radius, cap_radius]) {
             return self.error(span, "the two ends of a cone must not be the same point");
         }
         Ok(Shape::Cone { base, base_radius, cap, cap_radius, open: self.accept(K::Open)? })

@@ -190,7 +190,8 @@ fn polygons() {
     check(&square(1.0, 0.0), v(0.5, 0.5, -5.0), DVec3::Z, Some((v(0.5, 0.5, 0.0), Some(DVec3::Z))));
     check(&square(1.0, 0.0), v(1.5, 0.5, -5.0), DVec3::Z, None);
     check(&square(4e-3, 0.0), v(1e-3, 1e-3, -5.0), DVec3::Z, Some((v(1e-3, 1e-3, 0.0), None)));
-    check(&square(2e-3, 0.0), v(1e-3, 1e-3, -5.0), DVec3::Z, None);
+    // POV-Ray loses polygons of less than about 0.003.
+    check(&square(2e-3, 0.0), v(1e-3, 1e-3, -5.0), DVec3::Z, Some((v(1e-3, 1e-3, 0.0), None)));
     check(&square(1.0, 1e-9), v(0.5, 0.5, -5.0), DVec3::Z, None);
 }
 

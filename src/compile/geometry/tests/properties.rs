@@ -3,13 +3,14 @@
 mod freeform;
 mod implicit;
 mod round;
+mod size;
 mod solids;
 mod swept;
 
-use super::{compile_object, cuboid, moved, object, sphere, v, written};
+use super::{compile_object, moved, v, written};
 use crate::compiled::geometry::{Geometry, RayKind, Scratch, Shadow, Surface};
 use crate::math::{DVec3, Range, Ray, Transform};
-use crate::scene::{Object, Shape};
+use crate::scene::Object;
 use std::sync::Arc;
 
 /// A small generator with a fixed seed. Source: Steele, Lea, Flood, Fast Splittable Pseudorandom
@@ -276,24 +277,4 @@ fn print_rates(name: &str, n_rays: u32, f: &Failures) {
 
 fn length(x: f64, y: f64) -> f64 {
     x.hypot(y)
-}
-
-#[test]
-fn powers_of_two_change_no_bit() {
-    let torus = object(Shape::Torus { major: 0.8, minor: 0.3, sturm: false });
-    for shape in [sphere(v(0.1, 0.2, 0.3), 0.7), cuboid(DVec3::NEG_ONE, DVec3::ONE), torus] {
-        let trace = |k: i32| {
-            let factor = 2f64.powi(k);
-            let scaled = moved(shape.clone(), &Transform::scaling(DVec3::splat(factor)));
-            let geometry = compile_object(&Arc::new(scaled)).unwrap();
-            let ray = Ray::new(v(0.9, 0.1, -5.0) * factor, v(-0.1, 0.02, 1.0).normalize());
-            let hit = geometry.intersect(&ray, Range::FORWARD, RayKind::Refracted, &mut Scratch::default()).unwrap();
-            let surface = geometry.surface(&ray, &hit);
-            (surface.point / factor, surface.normal)
-        };
-        let here = trace(0);
-        for k in [-40, -7, 3, 30] {
-            assert_eq!(trace(k), here);
-        }
-    }
 }

@@ -203,15 +203,19 @@ impl Blob {
         let mut ahead = stretches.iter().peekable();
         let mut within: SmallVec<[&Stretch; 16]> = SmallVec::new();
         let mut at = range.min;
+        // Whether the field was above the threshold where the last piece ended: there the next one begins.
+        let mut before = None;
         while at < range.max {
             if within.is_empty() {
                 let Some(next) = ahead.peek() else { return };
-                at = at.max(next.low);
+                if next.low > at {
+                    (at, before) = (next.low, None);
+                }
             }
             within.extend(std::iter::from_fn(|| ahead.next_if(|s| s.low <= at)));
             let next = ahead.peek().map_or(range.max, |s| s.low.min(range.max));
             let end = within.iter().fold(next, |end, s| end.min(s.high));
-            if at < end && !self.search_piece(&within, [at, end], &mut found) {
+            if at < end && !self.search_piece(&within, [at, end], &mut before, &mut found) {
                 return;
             }
             at = at.max(end);
@@ -219,14 +223,26 @@ impl Blob {
         }
     }
 
-    /// The same between two places.
-    fn search_piece(&self, within: &[&Stretch], [at, end]: [f64; 2], mut found: impl FnMut(f64) -> bool) -> bool {
+    /// The same between two places. `before` goes from piece to piece, so that a root at a common end is found once, even
+    /// where rounding puts it outside of both pieces or inside of both.
+    fn search_piece(
+        &self,
+        within: &[&Stretch],
+        [at, end]: [f64; 2],
+        before: &mut Option<bool>,
+        mut found: impl FnMut(f64) -> bool,
+    ) -> bool {
         let length = end - at;
         let mut sum = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
         for stretch in within {
             stretch.add_from(at, length, &mut sum);
         }
-        roots_in(&sum, 0.0, 1.0).into_iter().all(|u| found(at + u * length))
+        let roots = roots_in(&sum, 0.0, 1.0);
+        // By the first coefficient that has a sign.
+        let above = sum.iter().find(|c| **c != 0.0).is_some_and(|c| *c > 0.0);
+        let crossed = before.is_some_and(|before| before != above);
+        *before = Some(above != (roots.len() % 2 == 1));
+        (!crossed || found(at)) && roots.into_iter().all(|u| found(at + u * length))
     }
 }
 

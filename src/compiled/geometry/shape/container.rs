@@ -21,6 +21,14 @@ impl Container {
         }
     }
 
+    /// Whether a length of a ray's parameter, so many times as long in here, is a good part of the container. Only what has
+    /// been made smaller can get there.
+    pub(super) fn is_coarse(&self, length: f64, speed: f64) -> bool {
+        /// Parts of a container that can be told apart, at least.
+        const FEWEST_PARTS: f64 = 64.0;
+        speed > 1.0 && length * speed * FEWEST_PARTS > self.bounds().size().max_element()
+    }
+
     /// Whether the point is inside or on the boundary.
     pub(super) fn contains(&self, p: DVec3) -> bool {
         match self {

@@ -4,7 +4,7 @@
 //! steps find (function facts, section 11). Source of the step lengths: Hart, Sandin, Kauffman,
 //! Ray Tracing Deterministic 3-D Fractals, 1989.
 
-use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
+use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
 use crate::math::{Bounds, DVec3, DVec4, Range, Ray, gamma, quadratic_roots};
 use ahead::{AHEAD, Ahead, Insides};
 use hypercomplex::Pair;
@@ -256,12 +256,17 @@ impl Julia {
     fn march(&self, ray: &Ray, range: Range, mut tell: impl FnMut(Event) -> bool) {
         let speed = ray.direction.length();
         let unit = Ray::new(ray.origin, ray.direction / speed);
-        let Some([enter, leave]) = self.passage(&unit) else { return };
-        let end = leave.min(range.max * speed);
-        if leave < FINEST {
+        // From so far away that a place on the ray is less certain than the length at which a search ends, a nearer
+        // origin serves as well.
+        let reach = FINEST / f64::EPSILON;
+        let near = NearRay::new(&unit, DVec3::ZERO, reach);
+        let (unit, start) = (Ray::new(near.origin, unit.direction), near.start);
+        let Some([enter, leave]) = self.passage(&unit, start != 0.0) else { return };
+        let end = leave.min(range.max * speed - start);
+        if leave + start < FINEST {
             return;
         }
-        let (mut s, mut ahead) = (enter.max(FINEST), Ahead::new(self, &unit));
+        let (mut s, mut ahead) = (enter.max(FINEST - start), Ahead::new(self, &unit));
         tell(Event::Sample(unit.at(s)));
         let (mut inside, mut step) = ahead.sample(s);
         if inside {
@@ -282,7 +287,7 @@ impl Julia {
                 let change = self.change(&unit, s, length, inside, |s| {
                     tell(Event::Test(unit.at(s)));
                 });
-                if tell(Event::Change(change / speed)) {
+                if tell(Event::Change((change + start) / speed)) {
                     return;
                 }
             }
@@ -294,10 +299,10 @@ impl Julia {
     ///
     /// The first sample lies there, and by its last digit is inside or not: so POV-Ray's own form is used, as long as
     /// what cancels in it is less than the length at which a search ends.
-    fn passage(&self, ray: &Ray) -> Option<[f64; 2]> {
+    fn passage(&self, ray: &Ray, moved: bool) -> Option<[f64; 2]> {
         let toward = -ray.origin.dot(ray.direction);
         let (away, squared) = (ray.origin.length_squared(), self.radius * self.radius);
-        if away * f64::EPSILON > FINEST {
+        if moved || away * f64::EPSILON > FINEST {
             return quadratic_roots(1.0, -2.0 * toward, away - squared);
         }
         let half = (toward * toward - (away - squared)).sqrt();

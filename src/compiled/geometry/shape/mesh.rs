@@ -188,6 +188,7 @@ impl Primitive for Mesh {
         });
         // A mesh without coordinates has (0, 0) everywhere.
         let uv = Some(uv.unwrap_or(DVec2::ZERO));
-        LocalSurface { point, error: corner_error(corners), normal, shading_normal, uv: uv.map(Uv::At) }
+        let plain = LocalSurface::plain(point, corner_error(corners), normal);
+        LocalSurface { shading_normal, uv: uv.map(Uv::At), ..plain }
     }
 }

@@ -24,7 +24,7 @@ pub(crate) struct Parametric {
     pub(crate) max_gradient: f64,
 }
 
-/// POV-Ray's component of a direction below which a ray is parallel to an axis' planes.
+/// POV-Ray's component of a unit direction below which a ray is parallel to an axis' planes.
 const PARALLEL: f64 = 1e-10;
 
 /// A place on the surface.
@@ -61,16 +61,20 @@ impl Parametric {
     /// The nearest place that POV-Ray finds.
     fn find(&self, ray: &Ray) -> Option<Place> {
         let (start, end) = self.container.interval(ray)?;
+        // POV-Ray's accuracy is a ray parameter, too, which may be more than a shape that has been made smaller.
+        let speed = ray.direction.length();
+        let speed = if self.container.is_coarse(self.accuracy, speed) { speed } else { 1.0 };
         let start = match self.container {
             _ if start == end => 0.0,
             Container::Box(_) => start.max(0.0),
             // As in POV-Ray: a sphere is searched behind the ray's origin, too.
             Container::Sphere { .. } => start,
-        } + 4.0 * self.accuracy;
+        } + 4.0 * self.accuracy / speed;
         if start > end {
             return None;
         }
-        let mut search = Search { surface: self, ray, start, end, best: None, slots: Slots::new() };
+        let parallel = PARALLEL * ray.direction.length();
+        let mut search = Search { surface: self, ray, speed, parallel, start, end, best: None, slots: Slots::new() };
         let whole = Rectangle { min: self.min, max: self.max };
         let (min, max) = (self.min, self.max);
         search.visit(whole, |search, axis| {
@@ -96,6 +100,8 @@ impl Parametric {
 struct Search<'a> {
     surface: &'a Parametric,
     ray: &'a Ray,
+    speed: f64,
+    parallel: f64,
     start: f64,
     end: f64,
     best: Option<Place>,
@@ -115,7 +121,7 @@ impl Search<'_> {
             known[axis] = corners(self, axis);
             let (low, high) = self.surface.bounds_of(&known[axis], size);
             let (o, d) = (self.ray.origin[axis], self.ray.direction[axis]);
-            if d.abs() <= PARALLEL {
+            if d.abs() <= self.parallel {
                 if !(low <= o && o <= high) {
                     return;
                 }
@@ -134,7 +140,7 @@ impl Search<'_> {
         let wide = size.x >= size.y;
         let (low, at, high) = if wide { (r.min.x, middle.x, r.max.x) } else { (r.min.y, middle.y, r.max.y) };
         // Neighbouring numbers have no middle, however small the accuracy.
-        if longest.min(size.max_element()) < self.surface.accuracy || at <= low || at >= high {
+        if (longest * self.speed).min(size.max_element()) < self.surface.accuracy || at <= low || at >= high {
             if let Some(t) = last.filter(|t| self.start < *t && *t < best) {
                 self.best = Some(Place { t, uv: r.min });
             }

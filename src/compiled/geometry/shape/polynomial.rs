@@ -1,7 +1,8 @@
 //! `cubic`, `quartic`, `poly`: surfaces of any degree up to 35.
 
+use super::outline::settle;
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
-use crate::math::{Bounds, DVec3, MAX_DEGREE, Range, Ray, roots_in};
+use crate::math::{Bounds, DVec3, MAX_DEGREE, Range, Ray, Roots, roots_in};
 use std::sync::Arc;
 
 /// The zeros of a polynomial in x, y and z; inside where not positive.
@@ -16,6 +17,11 @@ pub(crate) struct Polynomial {
 /// Bits of the highest term's weight that may be lost to the others before far roots are looked for by themselves: less than
 /// a third of what there are.
 const SPARE_BITS: i32 = 16;
+
+/// The highest degree up to which the interval next to a shape is one piece, and of more, one for so many degrees: over each,
+/// the highest power grows by less than a few thousand times.
+const HIGH_DEGREE: usize = 16;
+const DEGREES_A_PIECE: usize = 8;
 
 /// A polynomial along a ray, rising.
 type Along = [f64; MAX_DEGREE + 1];
@@ -93,6 +99,20 @@ impl Polynomial {
         along
     }
 
+    /// A root by what the polynomial is there, not by its coefficients along the ray: high powers of these differ so much that
+    /// a ray which leaves the surface would meet it again.
+    fn polished(&self, ray: &Ray, root: f64, radius: f64) -> f64 {
+        let mut t = root;
+        // Newton's step doubles the digits.
+        for _ in 0..2 {
+            let (value, gradient, _) = self.sample(ray.at(t));
+            t -= value / gradient.dot(ray.direction);
+        }
+        // Not where the ray only touches the surface, or to another root.
+        let moved = (t - root).abs() * ray.direction.length();
+        if moved <= f64::EPSILON.sqrt() * radius { t } else { root }
+    }
+
     fn value(&self, p: DVec3) -> f64 {
         self.horner(|| 0.0, |sum, axis| *sum *= p[axis], |sum, c| *sum += c, |sum, other| *sum += other)
     }
@@ -125,7 +145,7 @@ impl Primitive for Polynomial {
         let inside = near.range(range);
         let radius = balance(along);
         let mut record = |s: f64| {
-            let t = near.t(s);
+            let t = if n > HIGH_DEGREE { self.polished(ray, near.t(s), radius) } else { near.t(s) };
             if range.contains(t) {
                 out.push(ShapeHit { t, part: 0 });
             }
@@ -136,7 +156,7 @@ impl Primitive for Polynomial {
         } else {
             radius
         };
-        roots_in(along, inside.min.max(-radius), inside.max.min(radius)).into_iter().for_each(&mut record);
+        near_roots(along, [inside.min.max(-radius), inside.max.min(radius)]).into_iter().for_each(&mut record);
         let mut reversed = [0.0; MAX_DEGREE + 1];
         for (k, c) in along.iter().enumerate() {
             reversed[n - k] = *c;
@@ -159,6 +179,26 @@ impl Primitive for Polynomial {
         let (point, error, gradient) = super::onto_surface(ray.at(t), |p| self.sample(p));
         LocalSurface::plain(point, error, if gradient == DVec3::ZERO { DVec3::X } else { gradient })
     }
+}
+
+/// Roots in an interval around the point next to the shape. High powers differ so much between its middle and its ends that
+/// what is of rounding at the ends hides the middle; so it is cut into pieces.
+fn near_roots(along: &[f64], [low, high]: [f64; 2]) -> Roots {
+    let n_pieces = (along.len() - 1).div_ceil(DEGREES_A_PIECE);
+    if along.len() - 1 <= HIGH_DEGREE || !(high - low).is_finite() || low >= high {
+        return roots_in(along, low, high);
+    }
+    let value = |s: f64| along.iter().rev().fold(0.0, |sum, c| sum * s + c);
+    let end_of =
+        |piece: usize| if piece == n_pieces { high } else { low + (high - low) * (piece as f64 / n_pieces as f64) };
+    let mut all = Roots::new();
+    for piece in 0..n_pieces {
+        let ends = [end_of(piece), end_of(piece + 1)];
+        let mut roots = roots_in(along, ends[0], ends[1]);
+        settle(&mut roots, ends, ends.map(value));
+        all.extend(roots);
+    }
+    all
 }
 
 /// A power of two near which the lowest and the highest term weigh the same, times 1.7: roots of even surfaces lie just

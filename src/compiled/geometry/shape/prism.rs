@@ -1,6 +1,6 @@
 //! Outlines swept along an axis: prisms and text.
 
-use super::outline::{Segment, around, odd_right_of};
+use super::outline::{Segment, around, join, odd_right_of};
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::parts::{Tree, WORTH_A_TREE};
 use crate::compiled::geometry::slab::SlabRay;
@@ -27,7 +27,8 @@ pub(crate) struct Outline {
 }
 
 impl Outline {
-    pub(crate) fn new(segments: Vec<Segment>) -> Self {
+    pub(crate) fn new(mut segments: Vec<Segment>) -> Self {
+        join(&mut segments);
         let hulls: Box<_> = segments.iter().map(Segment::bounds).collect();
         let [min, max] = around(&hulls);
         Self { segments: segments.into(), boxes: Boxes::new(&hulls), hulls, min, max, swept: Bounds::EMPTY, first: 0 }

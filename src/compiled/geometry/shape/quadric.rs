@@ -23,6 +23,12 @@ pub(crate) struct Quadric {
 impl Quadric {
     /// From its coefficients, in the order of the fields.
     pub(crate) fn new(squares: DVec3, products: DVec3, linear: DVec3, constant: f64, keeps_normal: bool) -> Self {
+        // The surface is the same whatever all are multiplied by; a power of two keeps their digits, and squares of them in
+        // range.
+        let largest = squares.abs().max(products.abs()).max(linear.abs()).max_element().max(constant.abs());
+        let factor = 2f64.powi(if (largest * largest).is_normal() { 0 } else { -(largest.log2() as i32) });
+        let (squares, products, linear, constant) =
+            (squares * factor, products * factor, linear * factor, constant * factor);
         let curvature = squares.abs().max_element().max(products.abs().max_element());
         let size = (constant.abs() / curvature).sqrt() + linear.abs().max_element() / curvature;
         let reach = if size.is_finite() { 4.0 * size } else { f64::INFINITY };

@@ -1,5 +1,6 @@
 //! Surfaces of revolution whose squared radius is a cubic of the height.
 
+use super::outline::settle;
 use super::{LocalSurface, NearRay, Primitive, ShapeHit, ShapeHits};
 use crate::compiled::geometry::slab::SlabRay;
 use crate::math::{Bounds, DVec2, DVec3, Range, Ray, Uv, gamma, roots_in};
@@ -85,9 +86,14 @@ impl Primitive for Sor {
                 out.push(ShapeHit { t, part });
             }
         };
-        for (segment, part) in self.segments.iter().zip(0..) {
+        let mut rest = self.segments.iter().zip(0..).peekable();
+        let mut below: Option<(f64, f64)> = None;
+        while let Some((segment, part)) = rest.next() {
             let within = reach.between([segment.low, segment.high], o.y, d.y);
-            if within.is_empty() {
+            let above = rest.peek().map(|(next, _)| next.squared[0]);
+            // Of two pieces on the level of a ray the upper one is met.
+            if within.is_empty() || d.y == 0.0 && o.y == segment.high && above.is_some() {
+                below = None;
                 continue;
             }
             // ρ² less the cubic of h + s d.y, expanded.
@@ -98,7 +104,23 @@ impl Primitive for Sor {
                 d.x * d.x + d.z * d.z - (3.0 * c[3] * h + c[2]) * v * v,
                 -c[3] * v * v * v,
             ];
-            roots_in(&along, within.min, within.max).into_iter().for_each(|s| record(s, part));
+            let mut roots = roots_in(&along, within.min, within.max);
+            if d.y != 0.0 {
+                // Neighbours, or a cap, agree on which side of the common rim the ray passes.
+                let beyond = |y: f64, rim: f64| {
+                    let s = (y - o.y) / d.y;
+                    let p = o + d * s;
+                    (s, p.x * p.x + p.z * p.z - rim)
+                };
+                let low = below.take().unwrap_or_else(|| beyond(segment.low, segment.squared[0]));
+                let high = beyond(segment.high, above.unwrap_or_else(|| segment.at(segment.high).0));
+                below = Some(high);
+                let (first, last) = if d.y > 0.0 { (low, high) } else { (high, low) };
+                if within.min == first.0 && within.max == last.0 {
+                    settle(&mut roots, [first.0, last.0], [first.1, last.1]);
+                }
+            }
+            roots.into_iter().for_each(|s| record(s, part));
         }
         if !self.open && d.y != 0.0 {
             let ((low, high), (base, cap)) = (self.ends(), self.rims());

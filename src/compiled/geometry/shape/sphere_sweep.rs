@@ -24,6 +24,9 @@ pub(crate) struct SweepSegment {
     bounds: Bounds,
 }
 
+/// A distance from the surface, in units of the sweep's size, whose square is below the bound of a point's error.
+const SETTLED: f64 = 1.0 / (1 << 23) as f64;
+
 /// The union of the spheres of all segments.
 #[derive(Clone, Debug)]
 pub(crate) struct SphereSweep {
@@ -248,12 +251,29 @@ impl Primitive for SphereSweep {
     fn surface(&self, ray: &Ray, t: f64, part: u32) -> LocalSurface {
         let p = ray.at(t);
         let segment = &self.segments[part as usize];
-        let u = segment.deepest(p, [0.0, 1.0]);
-        let (center, radius) = (segment.center_at(u), segment.radius_at(u).abs());
-        let normal = (p - center).normalize_or(DVec3::X);
+        let size = self.bounds.min.abs().max(self.bounds.max.abs()).max_element();
+        let error = gamma(256) * size;
+        let onto = |p: DVec3| {
+            let u = segment.deepest(p, [0.0, 1.0]);
+            let (center, radius) = (segment.center_at(u), segment.radius_at(u).abs());
+            let normal = (p - center).normalize_or(DVec3::X);
+            (center + normal * radius, normal)
+        };
+        let (mut point, mut normal) = onto(p);
+        // Of a point off the surface another sphere is the deepest, which is off by the square of that: small sweeps seen
+        // from far away ask for another step, or two.
+        for _ in 0..3 {
+            if point.distance(p) <= SETTLED * size {
+                break;
+            }
+            let before = point;
+            (point, normal) = onto(point);
+            if point.distance(before) <= error {
+                break;
+            }
+        }
         // Along a line of touch the sphere is only known to the square root of the rounding of u,
         // which moves the point by that squared.
-        let size = self.bounds.min.abs().max(self.bounds.max.abs()).max_element();
-        LocalSurface::plain(center + normal * radius, gamma(256) * size, normal)
+        LocalSurface::plain(point, error, normal)
     }
 }

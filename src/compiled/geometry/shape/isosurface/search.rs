@@ -10,9 +10,6 @@ use super::{CAP, Isosurface, SURFACE};
 use crate::function::{Enclosure, EnclosureSlots, Interval, Slots};
 use crate::math::Ray;
 
-/// POV-Ray's farthest distance of a search.
-const FARTHEST: f64 = 2e10;
-
 /// Pieces that one search may look at with guarantee. A ray that runs within the surface can be
 /// halved for ever without an answer; the few it takes anywhere else are below a thousand. Beyond
 /// this, `max_gradient` is believed.
@@ -22,12 +19,19 @@ const MOST_PIECES: u32 = 1 << 11;
 /// 50 halvings that a number has bits for, and as much again for a second place.
 const MOST_FINE_PIECES: u32 = 300;
 
+/// Pieces that one search may look at in all, where functions of which little is known stay as good as zero for long.
+const MOST_LOOKS: u32 = 1 << 20;
+
 /// A ray's search for hits.
 pub(super) struct Search<'a> {
     surface: &'a Isosurface,
     ray: &'a Ray,
     /// Length of the ray's direction.
     speed: f64,
+    /// Ray parameter at which halving stops.
+    accuracy: f64,
+    /// What is as good as zero is up to this steep where a ray leaves the surface.
+    vicinity: f64,
     /// Steepest slope as far as is known.
     gradient: f64,
     /// -1 while the ray is inside.
@@ -39,6 +43,7 @@ pub(super) struct Search<'a> {
     /// Pieces that may still be looked at with guarantee.
     pieces_left: u32,
     fine_pieces_left: u32,
+    looks_left: u32,
     /// Steepest slope met between two samples.
     steepest: f64,
     /// Whether `max_gradient` would have lost a hit.
@@ -80,12 +85,22 @@ enum Course {
     Unknown,
 }
 
+/// Where the chord between two samples meets zero.
+pub(super) fn meets_zero(low: (f64, f64), high: (f64, f64)) -> f64 {
+    low.0 + (high.0 - low.0) * (low.1 / (low.1 - high.1))
+}
+
 impl<'a> Search<'a> {
-    pub(super) fn new(surface: &'a Isosurface, ray: &'a Ray, beyond: f64) -> Self {
+    /// For a ray that is in the container between `start` and `end`.
+    pub(super) fn new(surface: &'a Isosurface, ray: &'a Ray, [start, end]: [f64; 2], beyond: f64) -> Self {
+        let speed = ray.direction.length();
+        let accuracy = surface.accuracy_along(ray, [start, end]);
         Self {
             surface,
             ray,
-            speed: ray.direction.length(),
+            speed,
+            accuracy,
+            vicinity: 4.0 * surface.accuracy.max(accuracy * speed),
             gradient: surface.max_gradient,
             sign: 1.0,
             beyond,
@@ -93,6 +108,7 @@ impl<'a> Search<'a> {
             enclosures: EnclosureSlots::new(),
             pieces_left: if surface.guaranteed { MOST_PIECES } else { 0 },
             fine_pieces_left: MOST_FINE_PIECES,
+            looks_left: MOST_LOOKS,
             steepest: 0.0,
             lost: false,
         }
@@ -109,7 +125,7 @@ impl<'a> Search<'a> {
 
     /// Calls `found` with every hit until it returns true.
     pub(super) fn run(&mut self, start: f64, end: f64, mut found: impl FnMut(f64, u32) -> bool) {
-        let (accuracy, far) = (self.surface.accuracy, end.min(FARTHEST));
+        let (accuracy, far) = (self.accuracy, end);
         let (mut low, mut count) = (start, 0);
         if !self.surface.open {
             // A hit on the container counts only if anything is left to search.
@@ -156,14 +172,13 @@ impl<'a> Search<'a> {
 
     /// Whether a value at `t` may belong to the surface that the ray leaves.
     fn is_near_zero(&mut self, value: f64, t: f64) -> bool {
-        let accuracy = self.surface.accuracy;
-        if value < 4.0 * self.gradient * accuracy {
+        if value < self.gradient * self.vicinity {
             return true;
         }
         // Where `max_gradient` is too low, the true slope of the first steps counts.
-        let least = value * self.speed / (4.0 * accuracy);
+        let least = value * self.speed / self.vicinity;
         let met = |slope: Interval| slope.is_bounded() && slope.magnitude() > least;
-        self.surface.guaranteed && met(self.enclose(t, t + 5.0 * accuracy).slope)
+        self.surface.guaranteed && met(self.enclose(t, t + 5.0 * self.accuracy).slope)
     }
 
     /// Starts inside if the function says so there.
@@ -191,11 +206,12 @@ impl<'a> Search<'a> {
 
     /// Halves until the stretch is as short as `accuracy`; NaN ends POV-Ray's search there.
     fn halve(&mut self, mut s: Stretch) -> Option<f64> {
-        if s.low >= self.beyond {
+        if s.low >= self.beyond || self.looks_left == 0 {
             return None;
         }
+        self.looks_left -= 1;
         self.note_slope(&mut s);
-        if s.length() < self.surface.accuracy {
+        if s.length() < self.accuracy {
             return self.end_of(s);
         }
         s.believed &= s.may_fall();
@@ -273,7 +289,7 @@ impl<'a> Search<'a> {
 
     /// The point of halving behind the only change of a stretch that falls.
     fn bisect(&mut self, mut s: Stretch) -> f64 {
-        while s.length() >= self.surface.accuracy {
+        while s.length() >= self.accuracy {
             s.believed &= s.may_fall();
             let Some((near, far)) = self.halves(s) else { break };
             s = if near.at_high < 0.0 { near } else { far };
@@ -286,7 +302,6 @@ impl<'a> Search<'a> {
     /// samples prove it right.
     fn leap(&mut self, s: Stretch) -> Option<f64> {
         let (mut low, mut high) = ((s.low, s.at_low), (s.high, s.at_high));
-        let meets_zero = |low: (f64, f64), high: (f64, f64)| low.0 + (high.0 - low.0) * (low.1 / (low.1 - high.1));
         for _ in 0..3 {
             let t = meets_zero(low, high);
             if !(low.0 < t && t < high.0) {
@@ -297,7 +312,7 @@ impl<'a> Search<'a> {
         }
         let root = meets_zero(low, high);
         let (mut first, mut last) = (s.low, s.high);
-        while last - first >= self.surface.accuracy {
+        while last - first >= self.accuracy {
             let middle = 0.5 * (first + last);
             if middle < root { first = middle } else { last = middle }
         }
