@@ -6,7 +6,8 @@ use super::report::{Bar, Rival};
 use super::scene_arguments::days_since_2000;
 use crate::eval::date_time;
 use crate::measure::Caller;
-use crate::stability::{self, Plan};
+use crate::stability::{self, Family, Plan};
+use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -41,10 +42,8 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         Err(why) => return fail(why),
     };
     if arguments.list {
-        for family in &plan.families {
-            println!("{:24}{}", family.name, family.about);
-        }
-        return ExitCode::SUCCESS;
+        let line = |family: &Family| format!("{:24}{}\n", family.name, family.about);
+        return say(&plan.families.iter().map(line).collect::<String>());
     }
     let bar = Bar(progress_bar("{bar:40} {percent:>3} %  {prefix}\n{wide_msg}"));
     let made = stability::make(plan, &bar);
@@ -53,11 +52,18 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         Ok(findings) => findings,
         Err(why) => return fail(why),
     };
-    print!("{}", stability::text(&findings));
-    match &arguments.output {
-        Some(folder) => stability::write(&findings, folder).map_or_else(fail, |()| ExitCode::SUCCESS),
-        None => ExitCode::SUCCESS,
+    if let Some(folder) = &arguments.output
+        && let Err(error) = stability::write(&findings, folder)
+    {
+        return fail(error);
     }
+    say(&stability::text(&findings))
+}
+
+/// Writes to standard output; that nobody reads it any more is nobody's fault.
+fn say(text: &str) -> ExitCode {
+    let _ = std::io::stdout().write_all(text.as_bytes());
+    ExitCode::SUCCESS
 }
 
 fn plan(arguments: &Arguments) -> Result<Plan, String> {

@@ -203,7 +203,7 @@ fn refined(forward: &DAffine3, backward: &DAffine3) -> Option<DAffine3> {
     );
     let columns = [rest.x_axis, rest.y_axis, rest.z_axis];
     // Of a matrix whose columns sum up to less than one the powers vanish.
-    if columns.iter().any(|column| !(column.abs().element_sum() < 0.5)) {
+    if !columns.iter().all(|column| column.abs().element_sum() < 0.5) {
         return None;
     }
     let moved = missing(backward.translation, DVec3::ZERO, forward.translation);

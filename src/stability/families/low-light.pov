@@ -17,7 +17,7 @@ background { rgb <.05, .1, .2> }
   mesh { triangle { <-1, 0, -1>, <1, 0, -1>, <0, 0, 1> } },
   prism { Low, 0, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> },
   intersection { sphere { 0, 1 } plane { y, 0 } },
-  isosurface { function { Face(x, y, z) } max_gradient 1 accuracy 1e-4 contained_by { box { <-1, Low, -1>, <1, .1, 1> } } },
+  isosurface { function { Face(x, y, z) } max_gradient 1 accuracy 1e-7 contained_by { box { <-1, Low, -1>, <1, .1, 1> } } },
   bicubic_patch { type 1 flatness .001 u_steps 3 v_steps 3
     <-1, 0, -1>, <-.3, 0, -1>, <.3, 0, -1>, <1, 0, -1>, <-1, 0, -.3>, <-.3, 0, -.3>, <.3, 0, -.3>, <1, 0, -.3>,
     <-1, 0, .3>, <-.3, 0, .3>, <.3, 0, .3>, <1, 0, .3>, <-1, 0, 1>, <-.3, 0, 1>, <.3, 0, 1>, <1, 0, 1> }

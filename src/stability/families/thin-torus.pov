@@ -16,7 +16,7 @@ camera { location -3*z look_at 0 }
   #local Out = <cos(A), 0, sin(A)>;
   #local Normal = Out * cos(B) + y * sin(B);
   #local N = <0, 0, 0>;
-  #local P = trace(T, Out + Normal * (R * 4), -Normal, N);
+  #local P = trace(T, Out + Normal * .5, -Normal, N);
   #local Off = (vlength(N) = 0 ? 1 : vlength(P - Out - Normal * R) / R);
   #debug concat("found ", str(Off, 0, 20), "\n")
   #declare I = I + 1;
