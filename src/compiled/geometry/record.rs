@@ -102,8 +102,6 @@ pub struct Surface {
     pub point_error: f64,
     /// From `point` back to where the ray came through the surface, if that is not the same.
     pub retreat: DVec3,
-    /// Rays whose way out is longer than this stay inside, as in POV-Ray.
-    pub overlooked: f64,
     /// Unit world normal of the surface itself: the object's own outward side, not turned to the ray.
     pub geometric_normal: DVec3,
     /// Unit world normal for shading: interpolated where the surface is smooth, else the geometric one.
@@ -142,8 +140,7 @@ impl Surface {
     pub fn leave(&self, direction: DVec3) -> (Ray, Range) {
         let side = if self.geometric_normal.dot(direction) < 0.0 { -1.0 } else { 1.0 };
         // Only rays that go back have to get through the surface first.
-        let depth = side * self.geometric_normal.dot(self.retreat);
-        let goes_back = depth > 0.0 && depth <= self.overlooked * self.geometric_normal.dot(direction).abs();
+        let goes_back = side * self.geometric_normal.dot(self.retreat) > 0.0;
         let point = if goes_back { self.point + self.retreat } else { self.point };
         let origin = point + self.geometric_normal * (side * LEAVE_FACTOR * self.point_error);
         (Ray::new(origin, direction), Range::FORWARD)

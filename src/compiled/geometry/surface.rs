@@ -151,7 +151,6 @@ impl Geometry {
             point,
             point_error: found.error + crate::math::gamma(2) * point.abs().max_element(),
             retreat: ray.direction * -found.depth,
-            overlooked: found.overlooked,
             geometric_normal,
             normal,
             uv: uv_of(primitive, uv, [local_point, group_point, point]),

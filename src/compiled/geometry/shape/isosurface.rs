@@ -44,6 +44,12 @@ pub(crate) struct Isosurface {
 const SURFACE: u32 = 0;
 const CAP: u32 = 1;
 
+/// What POV-Ray skips where a ray leaves the surface, in units of the accuracy.
+const SKIPPED: f64 = 5.0;
+
+/// POV-Ray's least distance of what shades. Source: shading facts, shadow rays.
+const LEAST_SHADE: f64 = 1e-3;
+
 /// POV-Ray's distance from a spherical container at which its normal counts; of a small one, in units of its radius.
 const ON_SPHERE: f64 = 1e-10;
 
@@ -86,25 +92,19 @@ impl Isosurface {
         gamma(4) * (ray.origin.abs().max_element() / ray.direction.length() + farthest)
     }
 
-    /// How long a way out of the surface POV-Ray's rays overlook. With an accuracy that is next to this, as by default, surfaces
-    /// shade themselves at low light, and pictures show it; with a finer one they do not.
-    fn overlooked(&self) -> f64 {
-        /// POV-Ray's least distance of what shades. Source: shading facts, shadow rays.
-        const LEAST: f64 = 1e-3;
-        /// What it skips where a ray leaves the surface, in units of the accuracy.
-        const SKIPPED: f64 = 5.0;
-        /// Accuracies less than this part of the least distance are finer.
-        const FINER: f64 = 1.0 / 16.0;
-        if self.accuracy < FINER * LEAST { f64::INFINITY } else { LEAST.max(SKIPPED * self.accuracy) }
-    }
-
     /// How far behind the surface a hit lies, as a ray parameter: back there is the last point in front of the surface
     /// that rounding can tell from the first one behind it. Rays that start there are outside, however flat they go.
+    ///
+    /// Nothing for a coarse accuracy, as by default: what POV-Ray skips where a ray leaves such a surface is more than the
+    /// least distance of what shades, so that it shades itself at low light, and pictures show it.
     ///
     /// Source: the Illinois method, Dowell and Jarratt 1971, with a bisection wherever it is slower than that.
     fn depth(&self, ray: &Ray, t: f64) -> f64 {
         let Some((start, end)) = self.container.interval(ray) else { return 0.0 };
         let (accuracy, finest) = (self.accuracy_along(ray, [start, end]), self.rounding_along(ray, t));
+        if SKIPPED * accuracy >= LEAST_SHADE {
+            return 0.0;
+        }
         let mut slots = Slots::new();
         let at_hit = self.value(ray.at(t), &mut slots);
         let sign = if at_hit > 0.0 { -1.0 } else { 1.0 };
@@ -220,7 +220,6 @@ impl Primitive for Isosurface {
             if (p.distance(center) - radius).abs() < ON_SPHERE * radius.abs().min(1.0));
         let (gradient, noise) = self.gradient(p);
         let normal = if on_sphere { self.container.boundary(p).1 } else { gradient };
-        let (depth, overlooked) = (self.depth(ray, t), self.overlooked());
-        LocalSurface { depth, overlooked, ..LocalSurface::plain(p, error + noise, normal) }
+        LocalSurface { depth: self.depth(ray, t), ..LocalSurface::plain(p, error + noise, normal) }
     }
 }

@@ -81,14 +81,12 @@ pub(crate) struct LocalSurface {
     pub(crate) uv: Option<Uv>,
     /// How far behind the surface the hit itself lies, as a ray parameter, where the shape is only found roughly.
     pub(crate) depth: f64,
-    /// How long a way out from there POV-Ray's rays overlook.
-    pub(crate) overlooked: f64,
 }
 
 impl LocalSurface {
     /// Without interpolation and surface coordinates.
     fn plain(point: DVec3, error: f64, normal: DVec3) -> Self {
-        Self { point, error, normal, shading_normal: None, uv: None, depth: 0.0, overlooked: f64::INFINITY }
+        Self { point, error, normal, shading_normal: None, uv: None, depth: 0.0 }
     }
 }
 

@@ -6,7 +6,7 @@
 //! along the whole of it rule a surface out, and pieces shorter than `accuracy` are looked into,
 //! too, so that a sheet of any thinness is found. The points of halving are the same.
 
-use super::{CAP, Isosurface, SURFACE};
+use super::{CAP, Isosurface, SKIPPED, SURFACE};
 use crate::function::{Enclosure, EnclosureSlots, Interval, Slots};
 use crate::math::Ray;
 
@@ -139,7 +139,7 @@ impl<'a> Search<'a> {
             } else {
                 let value = self.value(start);
                 if self.is_near_zero(value, start) {
-                    low = 5.0 * accuracy;
+                    low = SKIPPED * accuracy;
                     self.turn_at(low);
                 }
                 caps[1] = (self.value(end) < 0.0).then_some(end);
@@ -155,13 +155,13 @@ impl<'a> Search<'a> {
         if low < accuracy && self.sign > 0.0 {
             let value = self.value(low).abs();
             if self.is_near_zero(value, low) {
-                low = 5.0 * accuracy;
+                low = SKIPPED * accuracy;
                 self.turn_at(low);
             }
         }
         while count < self.surface.max_trace {
             let Some(root) = self.first_root(low, far) else { return };
-            low = root + 5.0 * accuracy;
+            low = root + SKIPPED * accuracy;
             if found(root, SURFACE) || far - low < accuracy {
                 return;
             }
@@ -178,7 +178,7 @@ impl<'a> Search<'a> {
         // Where `max_gradient` is too low, the true slope of the first steps counts.
         let least = value * self.speed / self.vicinity;
         let met = |slope: Interval| slope.is_bounded() && slope.magnitude() > least;
-        self.surface.guaranteed && met(self.enclose(t, t + 5.0 * self.accuracy).slope)
+        self.surface.guaranteed && met(self.enclose(t, t + SKIPPED * self.accuracy).slope)
     }
 
     /// Starts inside if the function says so there.
