@@ -11,7 +11,7 @@ use crate::scene::{Flags, GeometryQueries, Object, PointFunction};
 use rustc_hash::FxHashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// POV-Ray's least distance of a hit. Scenes that walk over surfaces by `trace` count on not meeting
+/// POV-Ray's least distance of a hit; where all of an object is nearer than 1, a share of that. Scenes that walk over surfaces by `trace` count on not meeting
 /// the one on which they stand.
 const POV_NEAREST: f64 = 1e-4;
 
@@ -54,12 +54,9 @@ impl Queries {
 impl GeometryQueries for Queries {
     fn trace(&self, object: &Arc<Object>, ray: &Ray) -> Option<(DVec3, DVec3)> {
         let geometry = self.geometry(object);
-        let hit = geometry.intersect(
-            ray,
-            Range { min: POV_NEAREST, ..Range::FORWARD },
-            RayKind::Probe,
-            &mut Scratch::default(),
-        )?;
+        let nearest = POV_NEAREST * geometry.reach(ray.origin).unwrap_or(1.0).min(1.0);
+        let range = Range { min: nearest, ..Range::FORWARD };
+        let hit = geometry.intersect(ray, range, RayKind::Probe, &mut Scratch::default())?;
         let surface = geometry.surface(ray, &hit);
         Some((surface.point, surface.normal))
     }

@@ -100,13 +100,20 @@ impl Transform {
     ///
     /// Source: Higham, Accuracy and Stability of Numerical Algorithms, sections 12.1 and 14.5.
     fn settled(self) -> Self {
-        let Self { forward, backward } = self;
-        let mut better = refined(&forward, &backward);
-        if better.is_none() {
+        /// Its square is below the rounding of the result.
+        const SMALL: f64 = 1e-8;
+        let Self { forward, mut backward } = self;
+        let mut rest = refine(&forward, &mut backward);
+        if rest.is_none() {
             // Too far off for the iteration: stretches have cancelled each other that are as large as 1/rounding.
-            better = refined(&forward, &forward.inverse());
+            backward = forward.inverse();
+            rest = refine(&forward, &mut backward);
         }
-        Self { forward, backward: better.unwrap_or(backward) }
+        if rest.is_some_and(|rest| rest > SMALL) {
+            refine(&forward, &mut backward);
+        }
+        // What has no inverse at all keeps the one that it was put together from.
+        Self { forward, backward: if backward.is_finite() { backward } else { self.backward } }
     }
 
     /// The map the other way round.
@@ -183,8 +190,8 @@ impl Transform {
     }
 }
 
-/// An inverse of `forward` with the square of the error of `backward`; none if that error is near 1.
-fn refined(forward: &DAffine3, backward: &DAffine3) -> Option<DAffine3> {
+/// Squares the error of `backward` as the inverse of `forward`, and tells what it was; does nothing if it is near 1.
+fn refine(forward: &DAffine3, backward: &mut DAffine3) -> Option<f64> {
     let f = &forward.matrix3;
     let rows = [f.row(0), f.row(1), f.row(2)];
     // What is missing of a column's image.
@@ -201,14 +208,14 @@ fn refined(forward: &DAffine3, backward: &DAffine3) -> Option<DAffine3> {
         missing(b.y_axis, DVec3::Y, DVec3::ZERO),
         missing(b.z_axis, DVec3::Z, DVec3::ZERO),
     );
-    let columns = [rest.x_axis, rest.y_axis, rest.z_axis];
-    // Of a matrix whose columns sum up to less than one the powers vanish.
-    if !columns.iter().all(|column| column.abs().element_sum() < 0.5) {
+    // Of a matrix whose columns sum up to less than one the powers vanish. No number is no such sum.
+    let sums = [rest.x_axis, rest.y_axis, rest.z_axis].map(|column| column.abs().element_sum());
+    if !sums.iter().all(|sum| *sum < 0.5) {
         return None;
     }
     let moved = missing(backward.translation, DVec3::ZERO, forward.translation);
-    let better = DAffine3 { matrix3: *b + *b * rest, translation: backward.translation + *b * moved };
-    better.is_finite().then_some(better)
+    *backward = DAffine3 { matrix3: *b + *b * rest, translation: backward.translation + *b * moved };
+    Some(sums[0].max(sums[1]).max(sums[2]))
 }
 
 /// A sum of products as if worked out in twice the precision, then rounded.

@@ -217,6 +217,8 @@ impl Primitive for Superellipsoid {
         let norms = self.norms(p);
         // The whole norm is linear in size, so scaling moves the point onto the surface; directions do not change.
         let error = gamma(64) * (1.0 + 1.0 / self.east_west + 1.0 / self.north_south);
-        LocalSurface::plain(p / norms[1], error, self.gradient(p, norms))
+        let moved = p / norms[1];
+        // Spikes thinner than the last place of their coordinates have a norm of no use.
+        LocalSurface::plain(if moved.is_finite() { moved } else { p }, error, self.gradient(p, norms))
     }
 }
