@@ -101,3 +101,38 @@ fn plot(family: &Family, sweeps: &[Sweep]) -> Plot {
         has_diagonal: false,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measure::{Caller, Machine};
+    use crate::stability::Plan;
+    use std::time::Duration;
+
+    #[test]
+    fn every_family_has_its_row_and_its_plot() {
+        let text =
+            "//! about: a < b\n//! extremity: 10^X\n//! steps: 0 1 2\n//! truth: the first step\n//! note: as it is\n";
+        let family = Family::parse("far", text).unwrap();
+        let step = |x: f64, error| Step { x, error, run: None };
+        let steps = [step(0.0, Ok(0.0)), step(1.0, Ok(0.3)), step(2.0, Err("no picture".into()))].to_vec();
+        let sweep = |program| Sweep { program, steps: steps.clone(), n_right: 1 };
+        let findings = Findings {
+            plan: Plan {
+                families: vec![family],
+                whitted: Caller { program: "whitted".into(), arguments: Vec::new() },
+                povray: None,
+                limit: Duration::from_secs(1),
+                origin: ["today".into(), "whitted stability".into()],
+            },
+            programs: vec!["whitted 0".into(), "POV-Ray 3.7".into()],
+            machine: Machine { processor: "abacus".into(), cores: 1, system: "none".into(), load: None },
+            sweeps: vec![vec![sweep(Program::Whitted), sweep(Program::PovRay)]],
+        };
+        let page = html(&findings);
+        assert!(page.contains("href=\"#far\"") && page.contains("id=\"far\"") && page.contains("a &lt; b"));
+        // A mark for each picture of both programs; what has none is told by the table alone.
+        assert_eq!(page.matches("class=\"mark\" transform").count(), 4);
+        assert!(page.contains("10^1: 30.0 % off") && page.contains("both break") && !page.contains("NaN"));
+    }
+}

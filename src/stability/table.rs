@@ -137,8 +137,33 @@ pub(super) fn markdown(findings: &Findings) -> String {
             let _ = writeln!(text, "- **{name}**: {note}");
         }
     }
-    text
+    text + OWN_FAMILY
 }
+
+/// How to add to the table.
+const OWN_FAMILY: &str = r#"
+## A family of one's own
+
+A family is a scene file with a head; `X` is declared by whoever renders it, the same for both programs. `whitted stability
+my-family.pov --against povray -o out` sweeps it; a file in `src/stability/families` belongs to the catalogue once its name
+stands in `catalog.rs`.
+
+```text
+//! about: a sphere 10^X away
+//! extremity: 10^X
+//! steps: 0 to 12 by 1
+//! truth: the first step
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location -3*z look_at 0 angle 60 / pow(10, X) }
+light_source { <5, 9, -7> * pow(10, X), 1 }
+sphere { pow(10, X) * z, 1 pigment { rgb 1 } }
+```
+
+Other truths: `the first step to the last bit`; `the picture with Right declared` (of the same step); `what it finds`, greatest
+of the errors that the scene writes by `#debug concat("found ", str(Error, 0, 20), "\n")`; `time n^1 memory n^1`, for costs.
+`//! tolerance:` changes what counts as right, `//! note:` stands below the table.
+"#;
 
 /// How the table is to be read.
 pub(super) fn reading() -> String {
