@@ -31,6 +31,8 @@ pub struct Family {
     pub tolerance: f64,
     /// Why a program does not go further, where that has a good reason.
     pub note: Option<String>,
+    /// Its picture has as many pixels as the step says.
+    pub pixels_grow: bool,
     /// The whole text.
     pub text: String,
     /// Where the text is, if it is not of the catalogue.
@@ -122,6 +124,7 @@ impl Family {
             truth,
             tolerance,
             note: said("note").map(str::to_owned),
+            pixels_grow: said("picture") == Some("of so many pixels"),
             text: text.to_owned(),
             file: None,
         })
@@ -145,6 +148,17 @@ impl Family {
             Extremity::Plain => format!("{x}"),
             Extremity::Power(base) => format!("{base}^{x}"),
         }
+    }
+
+    /// Pixels across and down of a step's picture.
+    pub fn picture(&self, x: f64) -> [usize; 2] {
+        /// Enough for a fault to be among them, few enough for many steps.
+        const USUAL: [usize; 2] = [160, 120];
+        if !self.pixels_grow {
+            return USUAL;
+        }
+        let height = (self.size(x) * 0.75).sqrt().max(1.0);
+        [(height / 0.75) as usize, height as usize]
     }
 
     /// How extreme a step is, as a number for plots; infinite where it is beyond all numbers.

@@ -9,8 +9,6 @@ use std::time::Duration;
 
 /// A pixel is off when a channel differs by more: five steps of a display's 256.
 pub const VISIBLE: f32 = 0.02;
-/// Pixels across and down: enough for a fault to be among them, few enough for many steps.
-const SIZE: [usize; 2] = [160, 120];
 /// After so many steps in a row that are wrong, it is broken for good.
 const GIVE_UP: usize = 2;
 /// Below this, starting the program is most of its time.
@@ -87,7 +85,7 @@ impl Setup {
         let mut n_wrong = 0;
         for &x in family.steps.iter().take(most) {
             before(x);
-            let (error, run) = match self.make(&scene, x, false) {
+            let (error, run) = match self.make(&scene, (x, family.picture(x)), false) {
                 Ok(made) => (self.error(family, &scene, x, &made, &mut first, &sweep.steps), Some(made.run)),
                 Err(why) => (Err(why), None),
             };
@@ -117,13 +115,13 @@ impl Setup {
         Ok(scene)
     }
 
-    fn make(&self, scene: &Path, x: f64, right: bool) -> Result<Made, String> {
+    fn make(&self, scene: &Path, (x, size): (f64, [usize; 2]), right: bool) -> Result<Made, String> {
         let picture = self.folder.join("step.exr");
         let mut more = self.declare("X", x);
         if right {
             more.extend(self.declare("Right", 1.0));
         }
-        let task = Task { scene, picture: &picture, size: SIZE, threads: 1 };
+        let task = Task { scene, picture: &picture, size, threads: 1 };
         let (run, said) = self.caller.invocation(self.program, task, &more)?.run(self.limit)?;
         let read = read_exr(&picture).map_err(|error| error.to_string());
         // What is left there must not pass for the next one's.
@@ -150,7 +148,7 @@ impl Setup {
         match family.truth {
             Truth::First => share_off(first.get_or_insert_with(|| made.picture.clone()), &made.picture, VISIBLE),
             Truth::FirstBits => share_off(first.get_or_insert_with(|| made.picture.clone()), &made.picture, 0.0),
-            Truth::Partner => share_off(&self.make(scene, x, true)?.picture, &made.picture, VISIBLE),
+            Truth::Partner => share_off(&self.make(scene, (x, family.picture(x)), true)?.picture, &made.picture, VISIBLE),
             Truth::Found => found(&made.said),
             Truth::Cost { time, memory } => Ok(excess(family, x, &made.run, before, time, memory)),
         }

@@ -15,7 +15,7 @@ use super::slab::SlabRay;
 use super::span::Confines;
 use super::walk::LastShadow;
 use crate::compiled::handle::{NodeId, PrimitiveId};
-use crate::math::{DVec3, Range, Ray};
+use crate::math::{DVec3, Range, Ray, gamma};
 
 /// A crossing of a solid's part.
 #[derive(Clone, Copy, Debug)]
@@ -188,7 +188,7 @@ impl Search<'_> {
                 return false;
             }
             let Some(parent) = node.parent else { return true };
-            if !self.is_left_by_others(parent.node, parent.position as usize, point) {
+            if !self.is_left_by_others(parent.node, parent.position as usize, crossing.t, point) {
                 return false;
             }
             node = &geometry.nodes[parent.node];
@@ -196,7 +196,7 @@ impl Search<'_> {
     }
 
     /// Whether the other children of a node leave a crossing of the child at `position`.
-    fn is_left_by_others(&mut self, id: NodeId, position: usize, point: DVec3) -> bool {
+    fn is_left_by_others(&mut self, id: NodeId, position: usize, t: f64, point: DVec3) -> bool {
         let geometry = self.geometry;
         let NodeKind::Csg { operation, children, parts, .. } = &geometry.nodes[id].kind else {
             return true;
@@ -206,7 +206,9 @@ impl Search<'_> {
         }
         let mut remover = None;
         let mut leaves = |other: usize| {
-            let leaves = other == position || geometry.leaves(*operation, children[other], point, self.kind);
+            let leaves = other == position
+                || geometry.leaves(*operation, children[other], point, self.kind)
+                || self.share_a_face(children[position], children[other], t);
             if !leaves {
                 remover = Some(other);
             }
@@ -223,6 +225,19 @@ impl Search<'_> {
             self.scratch.remover = (id, remover);
         }
         is_left
+    }
+
+    /// Whether the ray enters two children, or leaves them, at the same place, as far as numbers tell: there rounding
+    /// would decide whether one is inside of the other, and leave holes where both have the same face.
+    fn share_a_face(&self, child: NodeId, other: NodeId, t: f64) -> bool {
+        /// What a crossing may be off by, about, as a part of the coordinates that go into it.
+        const ROUNDING: f64 = gamma(8);
+        let Ray { origin, direction } = self.ray.ray;
+        let reach = (origin.abs() + (*direction * t).abs()).max_element();
+        let off = ROUNDING * reach / direction.abs().max_element();
+        let ends = [t - off, t + off].map(|t| self.ray.ray.at(t));
+        let [before, behind] = ends.map(|end| self.geometry.node_contains(other, end));
+        before != behind && ends.map(|end| self.geometry.node_contains(child, end)) == [before, behind]
     }
 
     /// Whether the ray meets, or starts in, everything that bounds the node.

@@ -19,7 +19,7 @@ pub struct Material {
 }
 
 /// Most layers of a texture: far more than light gets through.
-const MAX_LAYERS: usize = 10_000;
+const MAX_LAYERS: usize = 1_000_000;
 
 /// The last version in which upper layers let light through without filtering it.
 const LAST_UNFILTERED: u32 = 310;

@@ -183,9 +183,12 @@ fn mirror_direction(direction: DVec3, normal: DVec3, facing: DVec3) -> DVec3 {
 }
 
 /// Snell's law for a unit direction; `None` for total reflection.
+///
+/// The part across the normal is what Snell's law is about: taken from the direction itself, not from the cosine, it stays
+/// exact however near to the normal a strong refraction brings a ray.
 fn refracted(direction: DVec3, normal: DVec3, eta: f64) -> Option<DVec3> {
     let normal = if direction.dot(normal) <= 0.0 { normal } else { -normal };
-    let n = -direction.dot(normal);
-    let q = 1.0 + eta * eta * (n * n - 1.0);
-    (q >= 0.0).then(|| (eta * direction + (eta * n - q.sqrt()) * normal).normalize_or(direction))
+    let across = eta * (direction - direction.dot(normal) * normal);
+    let along_squared = 1.0 - across.length_squared();
+    (along_squared >= 0.0).then(|| (across - along_squared.sqrt() * normal).normalize_or(direction))
 }

@@ -255,14 +255,14 @@ fn nearest_of(hits: ShapeHits) -> Option<ShapeHit> {
     hits.into_iter().reduce(|best, hit| if hit.t <= best.t { hit } else { best })
 }
 
-/// POV-Ray's least distance of a hit, in world units; of a shape made smaller, in its own. It matters for shapes that are
+/// POV-Ray's least distance of a hit; here in the shape's own units, not in the world's. It matters for shapes that are
 /// found by a rough search: a ray that leaves one often meets it again at once, for no reason but that; POV-Ray then
 /// sees nothing of the shape.
 const NEAREST: f64 = 1e-4;
 
 /// The same as a ray parameter.
 fn nearest(ray: &Ray) -> f64 {
-    NEAREST / ray.direction.length().max(1.0)
+    NEAREST / ray.direction.length()
 }
 
 /// Moves a point onto an implicit surface along its gradient, and bounds what is left.

@@ -3,7 +3,8 @@
 use super::{LocalSurface, Primitive, ShapeHit, ShapeHits};
 use crate::math::{Bounds, DVec3, Range, Ray, dot_error, gamma};
 
-/// POV-Ray's threshold: what is above a plane by less than this is still inside, in units of the scene.
+/// POV-Ray's threshold: what is above a plane by less than this is still inside, in units of the scene; nearer to the
+/// origin than 1 it is a share of the distance from there, so that nothing is too small to be cut.
 pub(crate) const PLANE_BOUNDARY: f64 = 1e-10;
 
 /// The plane n · p = distance with a unit normal; inside is against the normal.
@@ -42,7 +43,9 @@ impl Primitive for Plane {
     fn contains(&self, p: DVec3) -> bool {
         let height = self.height(p);
         // Twice for the rounding of a hit point that another surface put here.
-        height < PLANE_BOUNDARY || height <= 4.0 * dot_error(self.normal, p) + gamma(2) * self.distance.abs()
+        height <= 0.0
+            || height < PLANE_BOUNDARY && height < PLANE_BOUNDARY * p.abs().max_element().max(self.distance.abs())
+            || height <= 4.0 * dot_error(self.normal, p) + gamma(2) * self.distance.abs()
     }
 
     fn span(&self, ray: &Ray, Range { min, max }: Range) -> Range {

@@ -129,7 +129,9 @@ impl Stretch<'_> {
 /// (1 - z^p)^(1/p) and its slope, for z up to 1.
 fn width((z, dz): Jet, p: f64) -> Jet {
     let z = z.min(1.0);
-    let width = (1.0 - z.powf(p)).powf(1.0 / p);
+    // Below 1 there is always some, however far below the least number: the axis itself is inside.
+    let least = if z < 1.0 { f64::from_bits(1) } else { 0.0 };
+    let width = (1.0 - z.powf(p)).powf(1.0 / p).max(least);
     // Slopes without end are what bounds are made for.
     (width, if dz == 0.0 { 0.0 } else { -dz * (z / width).powf(p - 1.0) })
 }
