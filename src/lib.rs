@@ -36,6 +36,7 @@ pub mod imaging;
 pub mod job;
 pub mod math;
 pub mod measure;
+pub mod omission;
 pub mod render;
 pub mod report;
 pub mod scene;

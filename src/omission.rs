@@ -25,8 +25,6 @@ pub enum Omission {
     IdleParts,
     /// Solids that have one part only.
     SinglePartSolids,
-    /// Unions that do not hold their parts together.
-    LooseUnions,
     /// Steps of patterns that move no point.
     IdentityWarps,
     /// Maps in which all colours are the same.
@@ -35,7 +33,7 @@ pub enum Omission {
     CoveredLayers,
     /// Terms of finishes that are zero.
     FinishTerms,
-    /// Textures of what is in the way to a light, where none lets light through.
+    /// Textures of what is in the way to a light, in scenes of which none lets light through.
     ShadowTextures,
     /// Rays to lights that do not shine on a place: cones, tubes, fading.
     SpentLights,
@@ -45,13 +43,12 @@ pub enum Omission {
 
 impl Omission {
     /// In the order in which a scene goes through them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 12] = [
         Self::Declarations,
         Self::HiddenObjects,
         Self::EmptySolids,
         Self::IdleParts,
         Self::SinglePartSolids,
-        Self::LooseUnions,
         Self::IdentityWarps,
         Self::FlatMaps,
         Self::CoveredLayers,
@@ -69,7 +66,6 @@ impl Omission {
             Self::EmptySolids => "empty-solids",
             Self::IdleParts => "idle-parts",
             Self::SinglePartSolids => "single-part-solids",
-            Self::LooseUnions => "loose-unions",
             Self::IdentityWarps => "identity-warps",
             Self::FlatMaps => "flat-maps",
             Self::CoveredLayers => "covered-layers",
@@ -88,7 +84,6 @@ impl Omission {
             Self::EmptySolids => "solids of which nothing is left",
             Self::IdleParts => "parts of solids that take nothing away",
             Self::SinglePartSolids => "solids that have one part only",
-            Self::LooseUnions => "unions whose parts stand by themselves",
             Self::IdentityWarps => "steps of patterns that move no point",
             Self::FlatMaps => "maps of a single colour",
             Self::CoveredLayers => "layers below an opaque one",

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// From the first to the last: a module knows those before it, never those behind it.
-const ORDER: [&str; 15] = [
+const ORDER: [&str; 16] = [
+    "omission",
     "math",
     "diag",
     "imaging",

@@ -6,6 +6,7 @@
 mod check;
 mod compare;
 mod dump;
+mod explain;
 mod include_dirs;
 mod messages;
 mod render;

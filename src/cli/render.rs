@@ -1,7 +1,7 @@
 //! `whitted render`: a scene file in, a picture out.
 
 use super::scene_arguments::SceneArguments;
-use super::{ERROR, fail, messages};
+use super::{ERROR, explain, fail, messages};
 use crate::imaging::{Encoding, FileKind};
 use crate::job::{Job, Outcome, Output, Session};
 use crate::render::{Antialias, End, ImageLayer, Method, Observer, Options, Progress, Region, Target};
@@ -73,6 +73,9 @@ pub(super) struct Arguments {
     /// refraction, background, atmosphere, samples, variance, CryptoObject and CryptoMaterial
     #[arg(long, value_parser = layers, value_name = "LIST")]
     layers: Option<Layers>,
+    /// Say what the scene has, what of it is left out because the picture does not need it, and which rays it took
+    #[arg(long)]
+    explain: bool,
     /// Say how long each stage took
     #[arg(long)]
     timings: bool,
@@ -260,6 +263,9 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     }
     if let Some(progress) = &outcome.progress {
         messages::line(format_args!("{}", summary(progress, &options)));
+    }
+    if arguments.explain {
+        explain::show(&outcome.explanation);
     }
     if arguments.timings {
         show_timings(&outcome);

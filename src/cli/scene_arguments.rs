@@ -1,8 +1,9 @@
 //! Arguments of every command that reads a scene.
 
-use super::include_dirs;
+use super::{explain, include_dirs};
 use super::messages::Manner;
 use crate::eval::{self, Disk, Limits, Overrides, Reach};
+use crate::omission::{Keep, Omission};
 use crate::scene::IsosurfaceSearch;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -54,6 +55,10 @@ pub(super) struct Reading {
     /// bounded; `povray` believes max_gradient and may leave holes
     #[arg(long, value_enum, default_value = "guaranteed", value_name = "HOW")]
     isosurface_search: Search,
+    /// Do not leave out what the picture does not need: all, or a list of names that --explain of `whitted render`
+    /// shows. The picture stays the same
+    #[arg(long, value_name = "LIST", value_parser = explain::keep)]
+    keep: Option<Keep>,
     /// Use the standard include files of this program, not those of an installed POV-Ray
     #[arg(long)]
     embedded_includes: bool,
@@ -124,6 +129,7 @@ impl Reading {
                 Search::Guaranteed => IsosurfaceSearch::Guaranteed,
                 Search::Povray => IsosurfaceSearch::PovRay,
             },
+            keep: self.keep.unwrap_or_default(),
             limits: if self.untrusted { Limits::strict() } else { Limits::default() },
             ..eval::Options::default()
         };
@@ -167,6 +173,14 @@ impl Reading {
         self.declare.iter().for_each(|(name, value)| add("--declare", &format!("{name}={value}")));
         self.limit.iter().for_each(|(name, value)| add("--limit", &format!("{name}={value}")));
         self.r#override.iter().for_each(|(name, value)| add("--override", &format!("{name}={value}")));
+        let kept: Vec<&str> = Omission::ALL
+            .into_iter()
+            .filter(|omission| self.keep.is_some_and(|keep| keep.holds(*omission)))
+            .map(Omission::name)
+            .collect();
+        if !kept.is_empty() {
+            add("--keep", &kept.join(","));
+        }
         if let Some(version) = self.language_version {
             add("--language-version", &(f64::from(version) / 100.0).to_string());
         }

@@ -89,7 +89,7 @@ fn for_functions(settings: &Settings) -> Settings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compile::{Queries, compile_sharing};
+    use crate::compile::{Queries, compile_with};
     use crate::compiled::geometry::Shape;
     use crate::eval::{Memory, Options, evaluate};
     use crate::function::{Callee, FunctionBody, Op};
@@ -105,7 +105,7 @@ mod tests {
 
     /// What the functions of a compiled scene's isosurfaces call.
     fn called(scene: &Scene, functions: &Functions) -> Vec<Arc<PointFunction>> {
-        let world = compile_sharing(scene, functions).expect("a right scene").world;
+        let world = compile_with(scene, functions, crate::omission::Keep::NONE).expect("a right scene").world;
         let surfaces = world.geometry.primitives.iter().filter_map(|primitive| match &primitive.shape {
             Shape::Isosurface(surface) => Some(Arc::clone(&surface.function)),
             _ => None,

@@ -12,4 +12,4 @@ mod world;
 pub use function::Functions;
 pub use picture::Pictures;
 pub use queries::Queries;
-pub use world::{Compiled, compile, compile_sharing};
+pub use world::{Compiled, compile, compile_with};

@@ -1,17 +1,19 @@
 //! The whole scene: geometry first, then everything that its handles refer to.
 
 use super::function::Functions;
-use super::geometry::{CompiledGeometry, PlacedLight, Watched};
+use super::geometry::{CompiledGeometry, PlacedLight, Watched, compile_object_sharing};
 use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
-use crate::compiled::geometry::{InteriorId, LightGroupId, Touching};
+use crate::compiled::geometry::{InteriorId, LightGroupId, TextureId, Touching};
 use crate::compiled::interior::{Interior, InteriorFade};
+use crate::compiled::texture::Texture;
 use crate::compiled::{Features, Group, Settings, Table, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::noise::Octaves;
 use crate::math::{Color, DVec3};
-use crate::scene::{self, Gamma, Scene, Working};
+use crate::omission::{Found, Keep, Ledger, Omission};
+use crate::scene::{self, Declared, Gamma, Scene, Working};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -27,6 +29,8 @@ pub struct Compiled {
     pub warnings: Vec<Diagnostic>,
     /// What may have something to say after rendering.
     pub watched: Vec<Watched>,
+    /// What this scene does not need.
+    pub ledger: Ledger,
 }
 
 /// Compiles a scene; warnings come beside the result.
@@ -37,18 +41,27 @@ pub struct Compiled {
 /// # Errors
 /// Everything that is unsupported or wrong, each with its place where one is known.
 pub fn compile(scene: &Scene) -> SourceResult<Compiled> {
-    compile_sharing(scene, &Functions::default())
+    compile_with(scene, &Functions::default(), Keep::NONE)
 }
 
-/// The same, with what was made of functions while the scene was read.
+/// The same, with what was made of functions while the scene was read, and without leaving out what is to be kept.
 ///
 /// # Errors
 /// Those of [`compile`].
-pub fn compile_sharing(scene: &Scene, functions: &Functions) -> SourceResult<Compiled> {
-    let CompiledGeometry { mut geometry, textures, interiors, lights, light_groups, labels, mut warnings, watched } =
-        super::geometry::compile(scene, functions)?;
+pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceResult<Compiled> {
+    let CompiledGeometry {
+        mut geometry,
+        textures,
+        interiors,
+        lights,
+        light_groups,
+        labels,
+        mut warnings,
+        watched,
+        mut ledger,
+    } = super::geometry::compile(scene, functions, keep)?;
     let mut errors = Vec::new();
-    let mut compiler = TextureCompiler::sharing(&scene.settings, functions);
+    let mut compiler = TextureCompiler::sharing(&scene.settings, functions).keeping(keep);
     let textures: Table<_, _> = textures.iter().filter_map(|t| note(compiler.texture(t), &mut errors)).collect();
     let camera = camera::camera(&scene.camera, &mut compiler).map_err(|r| r.at(scene.camera.span));
     let camera = note(camera, &mut errors);
@@ -58,8 +71,11 @@ pub fn compile_sharing(scene: &Scene, functions: &Functions) -> SourceResult<Com
     let (Some(camera), Some(atmosphere), true) = (camera, atmosphere, errors.is_empty()) else {
         return Err(errors);
     };
-    let opaque = textures.iter().map(crate::compiled::texture::Texture::is_opaque).collect();
+    keep_unused(&scene.unused, functions, &mut compiler);
+    ledger.note(Omission::Declarations, Found { count: scene.unused.count, bytes: 0 });
+    let opaque = opacity(&textures, &mut ledger);
     geometry.learn_opacity(&opaque);
+    ledger.add(compiler.ledger());
     let mut world = World {
         geometry,
         opaque,
@@ -75,11 +91,35 @@ pub fn compile_sharing(scene: &Scene, functions: &Functions) -> SourceResult<Com
         touching: Touching::default(),
         features: Features::default(),
     };
-    world.features = Features::of(&world);
-    if world.features.optical_interiors > 0 {
+    world.features = Features::of(&world, keep);
+    let found = |count: usize| Found { count, bytes: 0 };
+    ledger.note(Omission::SpentLights, found(world.features.waning_lights(&world)));
+    if !world.features.bends_light() {
+        ledger.note(Omission::Interiors, found(world.interiors.len()));
+    }
+    if world.features.interiors_matter() {
         world.touching = world.geometry.may_touch(|interior| world.interior(interior).is_optical());
     }
-    Ok(Compiled { world, warnings, watched })
+    Ok(Compiled { world, warnings, watched, ledger })
+}
+
+/// Of each texture, whether no light comes through; where that holds for all, they can be left out of shadows.
+fn opacity(textures: &Table<TextureId, Texture>, ledger: &mut Ledger) -> Table<TextureId, bool> {
+    let all = textures.iter().all(Texture::is_opaque);
+    textures.iter().map(|t| t.is_opaque() && (!all || ledger.omits(Omission::ShadowTextures, 0))).collect()
+}
+
+/// Compiles what nothing uses, for nothing. What is wrong with it is nobody's concern.
+fn keep_unused(unused: &scene::Unused, functions: &Functions, compiler: &mut TextureCompiler<'_>) {
+    for declared in &unused.kept {
+        match declared {
+            Declared::Object(object) => drop(compile_object_sharing(object, functions)),
+            Declared::Texture(texture) => drop(compiler.texture(texture)),
+            Declared::Pigment(pigment) => drop(compiler.pigment(pigment)),
+            Declared::Normal(normal) => drop(compiler.normal(normal)),
+            Declared::Other => {}
+        }
+    }
 }
 
 /// Takes the value or notes the refusal.

@@ -4,6 +4,7 @@ use super::World;
 use super::atmosphere::Sky;
 use super::light::{Beam, Light};
 use super::texture::{Layer, Texture};
+use crate::omission::{Keep, Omission};
 
 /// What a scene uses, and how often.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -34,11 +35,13 @@ pub struct Features {
     pub projected_lights: usize,
     /// Surfaces that are searched for along rays.
     pub isosurfaces: usize,
+    /// What is done although none of this asks for it.
+    pub kept: Keep,
 }
 
 impl Features {
     /// Of everything that rays may meet.
-    pub(crate) fn of(world: &World) -> Self {
+    pub(crate) fn of(world: &World, kept: Keep) -> Self {
         let textures = |holds: fn(&Texture) -> bool| world.textures.iter().filter(|texture| holds(texture)).count();
         let lights = |holds: fn(&Light) -> bool| world.lights.iter().filter(|light| holds(light)).count();
         let atmosphere = &world.atmosphere;
@@ -56,12 +59,23 @@ impl Features {
             fading_lights: lights(|light| light.fade.is_some()),
             projected_lights: lights(|light| light.projected_through.is_some()),
             isosurfaces: world.geometry.isosurfaces(),
+            kept,
         }
     }
 
-    /// Whether it makes a difference which objects a ray is in.
-    pub fn interiors_matter(&self) -> bool {
+    /// Whether what fills objects or the air bends, dims or colours light.
+    pub fn bends_light(&self) -> bool {
         self.optical_interiors > 0 || self.airs > 0
+    }
+
+    /// Whether rays know which objects they are in.
+    pub fn interiors_matter(&self) -> bool {
+        self.bends_light() || self.kept.holds(Omission::Interiors)
+    }
+
+    /// Lights with places where they do not shine.
+    pub(crate) fn waning_lights(&self, world: &World) -> usize {
+        world.lights.iter().filter(|light| light.beam != Beam::Even || light.fade.is_some()).count()
     }
 
     /// Their names and counts, in a fixed order.

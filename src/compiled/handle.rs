@@ -140,6 +140,11 @@ impl<H: Handle, T> Table<H, T> {
         handle
     }
 
+    /// Leaves nothing from a handle on.
+    pub fn truncate(&mut self, first: H) {
+        self.entries.truncate(first.position());
+    }
+
     /// The last entry with its handle.
     pub fn last(&self) -> Option<(H, &T)> {
         self.entries.last().map(|entry| (H::at(self.entries.len() - 1), entry))

@@ -37,6 +37,7 @@ impl Evaluator<'_> {
     pub(super) fn place(&mut self) -> SourceResult<Place> {
         let TokenKind::Name(name) = self.fill(false)? else { return self.expected("a declared name") };
         let span = self.span();
+        self.scopes.note_use(name);
         self.note_use(name);
         self.take();
         match self.place_after(name, span)? {

@@ -47,6 +47,7 @@ mod statements;
 mod strings;
 mod tokens;
 mod transforms;
+mod unused;
 mod value;
 mod vector_functions;
 mod vector_lists;
@@ -289,6 +290,7 @@ impl<'h> Evaluator<'h> {
                 "assumed_gamma is not given, so 1.0 is taken; 'global_settings { assumed_gamma 1.0 }' says so",
             );
         }
+        self.scene.unused = self.unused();
         if self.scene.objects.is_empty() {
             self.remark(Topic::Geometry, "there are no objects in this scene");
         }

@@ -1,5 +1,6 @@
 //! What a caller may choose.
 
+use crate::omission::Keep;
 use crate::scene::{IsosurfaceSearch, Settings};
 use std::path::PathBuf;
 
@@ -28,6 +29,8 @@ pub struct Options {
     pub isosurface_search: IsosurfaceSearch,
     /// What holds instead of what the scene says.
     pub overrides: Overrides,
+    /// What is not left out although the picture does not need it.
+    pub keep: Keep,
     /// Bounds on what a scene may use up.
     pub limits: Limits,
 }
@@ -46,6 +49,7 @@ impl Default for Options {
             now: 0.0,
             isosurface_search: IsosurfaceSearch::default(),
             overrides: Overrides::default(),
+            keep: Keep::NONE,
             limits: Limits::default(),
         }
     }

@@ -140,6 +140,8 @@ pub(super) struct Scopes {
     /// Variables of closed tables that nothing refers to, to be used again.
     spare_slots: Vec<Slot>,
     opened: u64,
+    /// Of each name, whether what it stands for was used.
+    used: Vec<bool>,
     /// Names declared `deprecated`: whether to warn only once, and the text.
     pub(super) deprecated: FxHashMap<Symbol, (bool, Rc<str>)>,
 }
@@ -154,6 +156,7 @@ impl Default for Scopes {
             spare: Vec::new(),
             spare_slots: Vec::new(),
             opened: 0,
+            used: Vec::new(),
             deprecated,
         }
     }
@@ -262,6 +265,22 @@ impl Scopes {
             Some(same) if same.table == table.index => same.place = place,
             _ => bindings.insert(at, Binding { table: table.index, place }),
         }
+    }
+
+    /// Notes that what a name stands for is used.
+    #[inline]
+    pub(super) fn note_use(&mut self, name: Symbol) {
+        let index = name.0 as usize;
+        if self.used.len() <= index {
+            self.used.resize(self.bindings.len().max(index + 1), false);
+        }
+        self.used[index] = true;
+    }
+
+    /// What names that were never used stand for.
+    pub(super) fn unused(&self) -> impl Iterator<Item = &Place> {
+        let is_used = |name: &Symbol| self.used.get(name.0 as usize).is_some_and(|used| *used);
+        self.names().filter(move |name| !is_used(name)).filter_map(|name| self.find(name))
     }
 
     /// Removes the innermost meaning of a name; false if there is none.

@@ -215,6 +215,7 @@ impl Evaluator<'_> {
         match picked {
             None => Ok(None),
             Some(Some(value)) => {
+                self.scopes.note_use(name);
                 self.note_use(name);
                 self.take();
                 Ok(Some(value))

@@ -9,6 +9,6 @@ mod session;
 mod settings;
 mod shelf;
 
-pub use outcome::{Outcome, Ready, Timings};
+pub use outcome::{Explanation, Outcome, Ready, Timings};
 pub use session::Session;
 pub use settings::{Job, Output};

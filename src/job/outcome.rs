@@ -4,7 +4,8 @@ use crate::compile::geometry::Watched;
 use crate::compiled::World;
 use crate::diag::{Diagnostic, SourceMap};
 use crate::imaging::{Metadata, Picture};
-use crate::render::Progress;
+use crate::omission::Ledger;
+use crate::render::{Progress, Statistics};
 use std::time::{Duration, Instant};
 
 /// How long each stage took, in order.
@@ -48,6 +49,19 @@ pub struct Outcome {
     pub sources: SourceMap,
     /// Time of each stage.
     pub timings: Timings,
+    /// What the scene has, and what it does without.
+    pub explanation: Explanation,
+}
+
+/// What a scene has, and what it does without.
+#[derive(Clone, Debug, Default)]
+pub struct Explanation {
+    /// How much there is of what.
+    pub found: Vec<(&'static str, usize)>,
+    /// What it does not need.
+    pub ledger: Ledger,
+    /// Rays that were sent, and those that were not.
+    pub rays: Statistics,
 }
 
 /// A scene that is ready to be rendered.
@@ -57,6 +71,8 @@ pub struct Ready {
     pub world: World,
     /// What may have something to say after rendering.
     pub watched: Vec<Watched>,
+    /// What the scene does not need.
+    pub ledger: Ledger,
     /// Everything worth mentioning.
     pub warnings: Vec<Diagnostic>,
     /// The files that were read, to show the warnings; large ones must be [restored](SourceMap::restored).

@@ -1,7 +1,7 @@
 //! What several pictures share, and the way of each through the stages.
 
 use super::library::{Library, Remembering};
-use super::{Job, Outcome, Output, Ready, Timings};
+use super::{Explanation, Job, Outcome, Output, Ready, Timings};
 use crate::compile::geometry::Watched;
 use crate::compile::{self, Compiled, Functions, Queries};
 use crate::compiled::World;
@@ -46,10 +46,10 @@ impl Session {
         let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(&functions)));
         let Evaluated { scene: description, mut warnings, mut sources } = read?;
         sources.release_large();
-        match timings.time("compile", || self.on_all_threads(|| compile::compile_sharing(&description, &functions))) {
-            Ok(Compiled { world, warnings: more, watched }) => {
+        match timings.time("compile", || self.on_all_threads(|| compile::compile_with(&description, &functions, reading.keep))) {
+            Ok(Compiled { world, warnings: more, watched, ledger }) => {
                 warnings.extend(more);
-                Ok(Ready { world, watched, warnings, sources, timings })
+                Ok(Ready { world, watched, ledger, warnings, sources, timings })
             }
             Err(errors) => {
                 warnings.extend(errors);
@@ -76,7 +76,7 @@ impl Session {
     /// Those of [`compile`](Self::compile).
     pub fn render(&self, job: &Job, host: &dyn Host, observer: &dyn Observer) -> Result<Outcome, Box<Failed>> {
         let ready = self.compile(&job.scene, &job.reading, host)?;
-        let Ready { world, watched, mut warnings, sources, mut timings } = ready;
+        let Ready { world, watched, ledger, mut warnings, sources, mut timings } = ready;
         let mut options = job.rendering.clone();
         if let Some(time) = options.target.as_mut().and_then(|target| target.time.as_mut()) {
             *time = time.saturating_sub(timings.total());
@@ -91,8 +91,9 @@ impl Session {
             figures: figures(&rendered, job.rendering.target.as_ref()),
             notes: rendered.progress.iter().map(|progress| ("whitted:rounds", progress.recipe())).collect(),
         };
-        let Rendered { picture, complete, progress, .. } = rendered;
-        Ok(Outcome { picture, metadata, complete, progress, warnings, sources, timings })
+        let Rendered { picture, complete, progress, statistics } = rendered;
+        let explanation = Explanation { found: world.summary(), ledger, rays: statistics };
+        Ok(Outcome { picture, metadata, complete, progress, warnings, sources, timings, explanation })
     }
 
     /// Writes a picture's files, each whole or not at all.

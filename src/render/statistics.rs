@@ -11,10 +11,12 @@ pub struct Statistics {
     pub reflected_rays: u64,
     /// Rays towards lights, each piece between transparent surfaces.
     pub shadow_rays: u64,
+    /// Rays towards lights that were not sent, because the surface is turned away or the light does not reach it.
+    pub spared_shadow_rays: u64,
 }
 
 impl Statistics {
-    /// All rays.
+    /// All rays that were sent.
     pub fn rays(&self) -> u64 {
         self.camera_rays + self.transmitted_rays + self.reflected_rays + self.shadow_rays
     }
@@ -27,6 +29,7 @@ impl Statistics {
             transmitted_rays: self.transmitted_rays + other.transmitted_rays,
             reflected_rays: self.reflected_rays + other.reflected_rays,
             shadow_rays: self.shadow_rays + other.shadow_rays,
+            spared_shadow_rays: self.spared_shadow_rays + other.spared_shadow_rays,
         }
     }
 }

@@ -66,4 +66,30 @@ pub struct Scene {
     /// What an object without any texture gets, as it stood when the object was placed
     /// (parallel to `objects`).
     pub default_textures: Vec<Arc<Texture>>,
+    /// What was declared and is nowhere in the scene.
+    pub unused: Unused,
+}
+
+/// Declarations that nothing used.
+#[derive(Clone, Debug, Default)]
+pub struct Unused {
+    /// How many.
+    pub count: usize,
+    /// They themselves, where they are to be kept.
+    pub kept: Vec<Declared>,
+}
+
+/// What a name stood for.
+#[derive(Clone, Debug)]
+pub enum Declared {
+    /// `object` and every shape.
+    Object(Arc<Object>),
+    /// `texture`.
+    Texture(Arc<Texture>),
+    /// `pigment`.
+    Pigment(Arc<Pigment>),
+    /// `normal`.
+    Normal(Arc<Normal>),
+    /// What compiles to nothing by itself.
+    Other,
 }

@@ -22,6 +22,7 @@ families! {
     "colours"
     "cost-arrays"
     "cost-blob"
+    "cost-csg-chain"
     "cost-csg-depth"
     "cost-difference"
     "cost-height-field"

@@ -19,6 +19,7 @@ use crate::compiled::geometry::{
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
+use crate::omission::{Keep, Ledger, Omission};
 use crate::scene::{CsgOperation, Interior, Object, Shape, Texture};
 use crate::stack::roomy;
 use rustc_hash::FxHashMap;
@@ -61,6 +62,8 @@ pub(super) struct Builder<'a> {
     pub(super) watched_ids: FxHashMap<*const crate::scene::Isosurface, usize>,
     pub(super) errors: Vec<Diagnostic>,
     pub(super) labeler: Labeler,
+    /// What rays do not need.
+    pub(super) ledger: Ledger,
     default_interior: Arc<Interior>,
     shared: FxHashMap<(*const Arc<Object>, u8), Shared>,
     n_light_groups: u32,
@@ -68,7 +71,7 @@ pub(super) struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     /// With room for so many simple objects: most scenes of many objects have little else.
-    pub(super) fn new(census: &'a Census, n_objects: usize, functions: &'a Functions) -> Self {
+    pub(super) fn new(census: &'a Census, n_objects: usize, functions: &'a Functions, keep: Keep) -> Self {
         let geometry = Geometry {
             primitives: Table::with_capacity(n_objects),
             appearances: Table::with_capacity(n_objects),
@@ -91,6 +94,7 @@ impl<'a> Builder<'a> {
             watched_ids: FxHashMap::default(),
             errors: Vec::new(),
             labeler: Labeler::default(),
+            ledger: Ledger::new(keep),
             default_interior: Arc::default(),
             shared: FxHashMap::default(),
             n_light_groups: 0,
@@ -187,7 +191,7 @@ impl<'a> Builder<'a> {
             (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, id),
             _ => ItemKind::Primitive(id),
         };
-        if !inside.hidden_from().is_all() {
+        if !inside.hidden_from().is_all() || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>()) {
             items.push(Item { kind, hidden_from: inside.hidden_from() }, &primitive.bounds());
         }
     }
@@ -199,9 +203,18 @@ impl<'a> Builder<'a> {
             self.screen(root, object, around);
             self.link(root);
             let node = &self.geometry.nodes[root];
-            if !node.hidden_from.is_all() && !node.bounds.is_empty() {
-                items.push(Item { kind: ItemKind::Solid(root), hidden_from: node.hidden_from }, &node.bounds);
+            let hidden_from = node.hidden_from;
+            if hidden_from.is_all() && self.ledger.omits(Omission::HiddenObjects, size_of::<Item>()) {
+                return;
             }
+            let mut bounds = node.bounds;
+            if bounds.is_empty() {
+                if self.ledger.omits(Omission::EmptySolids, size_of::<Item>()) {
+                    return;
+                }
+                bounds = Bounds::INFINITE;
+            }
+            items.push(Item { kind: ItemKind::Solid(root), hidden_from }, &bounds);
         }
     }
 
@@ -242,6 +255,7 @@ impl<'a> Builder<'a> {
         let nodes = &mut self.geometry.nodes;
         // What is around a node stands before it.
         for id in nodes.handles_from(root) {
+            nodes[id].is_reversed ^= nodes[id].flips;
             let is_reversed = nodes[id].is_reversed != nodes[id].reverses();
             for position in 0..nodes[id].children().len() {
                 let child = nodes[id].children()[position];
@@ -283,7 +297,7 @@ impl<'a> Builder<'a> {
         let parent_from_group = inside.group_from_parent;
         let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group].bounds));
         let instance = self.geometry.instances.push(Instance { group: shared.group, parent_from_group, appearance });
-        if !inside.hidden_from().is_all() {
+        if !inside.hidden_from().is_all() || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>()) {
             items.push(Item { kind: ItemKind::Instance(instance), hidden_from: inside.hidden_from() }, &bounds);
         }
         true
@@ -368,7 +382,27 @@ impl<'a> Builder<'a> {
             node.bounds = node.bounds.intersection(&padded(place.bounds(&shrunken)));
         }
         self.geometry.nodes[own] = node;
+        self.replace_by_single_part(own, &inside);
         Some(own)
+    }
+
+    /// Puts the only part of a solid in its place.
+    fn replace_by_single_part(&mut self, own: NodeId, inside: &Context) {
+        let nodes = &mut self.geometry.nodes;
+        let node = &nodes[own];
+        let &[only] = node.children() else { return };
+        let is_plain = node.clips.is_empty() && node.bounded_by.is_empty() && !inside.cutaway;
+        if !is_plain
+            || nodes[only].hidden_from != node.hidden_from
+            || !self.ledger.omits(Omission::SinglePartSolids, size_of::<Node>())
+        {
+            return;
+        }
+        let part = std::mem::replace(&mut nodes[only], Node::placeholder());
+        let node = &nodes[own];
+        let Node { bounds, extent, gap, appearance, .. } = *node;
+        let flips = part.flips != node.reverses();
+        nodes[own] = Node { bounds, extent, gap, appearance, flips, ..part };
     }
 
     /// Builds an object whose inside counts. What has no surface is mostly nowhere, or everywhere when inverted.
@@ -426,7 +460,10 @@ impl<'a> Builder<'a> {
             around.cutaway_root = None;
         }
         let mut built = Vec::new();
+        // Around what all parts so far leave.
+        let mut left = Bounds::INFINITE;
         for (i, child) in children.iter().enumerate() {
+            let before = self.mark();
             let is_cut = operation == CsgOperation::Difference && i > 0;
             around.inverse = inside.inverse != is_cut;
             around.turned = inside.turned || is_cut;
@@ -438,10 +475,25 @@ impl<'a> Builder<'a> {
             } else if compiled != Operation::Intersection {
                 around.cutaway_root = None;
             }
-            built.extend(match compiled {
+            let part = match compiled {
                 Operation::Union => self.node(child, &around, id, false),
                 Operation::Merge | Operation::Intersection => self.part(child, &around, id),
-            });
+            };
+            if let Some(part) = part
+                && compiled == Operation::Intersection
+            {
+                let (part, bytes) = (&self.geometry.nodes[part], self.bytes_since(before));
+                // All that it takes away lies apart from what is there.
+                if part.gap.intersection(&left).is_empty()
+                    && !inside.cutaway
+                    && self.ledger.omits(Omission::IdleParts, bytes)
+                {
+                    self.forget_since(before);
+                    continue;
+                }
+                left = left.intersection(&part.extent);
+            }
+            built.extend(part);
         }
         let nodes = &self.geometry.nodes;
         let hull = |f: fn(&Node) -> Bounds| built.iter().fold(Bounds::EMPTY, |sum, n| sum.union(&f(&nodes[*n])));
@@ -483,6 +535,23 @@ impl<'a> Builder<'a> {
             children: built.into(),
             is_difference: operation == CsgOperation::Difference && !inside.inverse,
         };
+    }
+
+    /// How far the parts of solids have come.
+    fn mark(&self) -> (NodeId, PrimitiveId) {
+        (self.geometry.nodes.next_handle(), self.geometry.primitives.next_handle())
+    }
+
+    /// The memory of what was added since.
+    fn bytes_since(&self, (node, primitive): (NodeId, PrimitiveId)) -> usize {
+        let Geometry { nodes, primitives, .. } = &self.geometry;
+        nodes.handles_from(node).count() * size_of::<Node>()
+            + primitives.handles_from(primitive).count() * size_of::<Primitive>()
+    }
+
+    fn forget_since(&mut self, (node, primitive): (NodeId, PrimitiveId)) {
+        self.geometry.nodes.truncate(node);
+        self.geometry.primitives.truncate(primitive);
     }
 
     /// Adds the primitive of an object; `None` with a message, or silently where nothing shows.

@@ -26,6 +26,7 @@ use crate::compiled::geometry::{Geometry, Group, GroupBuilder, InteriorId, Light
 use crate::compiled::{Labels, Table};
 use crate::diag::{Diagnostic, SourceResult, Span};
 use crate::math::Transform;
+use crate::omission::{Keep, Ledger};
 use crate::scene::{Interior, LightSource, Object, Scene, Settings, Texture};
 use builder::Builder;
 use census::Census;
@@ -59,6 +60,8 @@ pub struct CompiledGeometry {
     pub watched: Vec<Watched>,
     /// What is left out or unusual.
     pub warnings: Vec<Diagnostic>,
+    /// What rays do not need.
+    pub ledger: Ledger,
 }
 
 /// A light source in world space.
@@ -83,11 +86,11 @@ pub struct LightGroup {
 ///
 /// # Errors
 /// Located messages for shapes that are not supported yet and for limits.
-pub fn compile(scene: &Scene, functions: &Functions) -> SourceResult<CompiledGeometry> {
+pub fn compile(scene: &Scene, functions: &Functions, keep: Keep) -> SourceResult<CompiledGeometry> {
     let fallback = Arc::new(Texture::default());
     let default_of = |i: usize| scene.default_textures.get(i).unwrap_or(&fallback);
     let objects: Vec<_> = scene.objects.iter().enumerate().map(|(i, o)| (o, default_of(i))).collect();
-    build(&objects, true, scene.settings.max_parts, functions)
+    build(&objects, true, scene.settings.max_parts, (functions, keep))
 }
 
 /// Compiles one object by itself, for `trace`, `inside`, object patterns and `projected_through`.
@@ -103,7 +106,7 @@ pub fn compile_object(object: &Object) -> SourceResult<Geometry> {
 /// # Errors
 /// As [`compile`].
 pub(in crate::compile) fn compile_object_sharing(object: &Object, functions: &Functions) -> SourceResult<Geometry> {
-    Ok(build(&[(object, &Arc::default())], false, Settings::default().max_parts, functions)?.geometry)
+    Ok(build(&[(object, &Arc::default())], false, Settings::default().max_parts, (functions, Keep::NONE))?.geometry)
 }
 
 /// All passes in order.
@@ -111,7 +114,7 @@ fn build(
     objects: &[(&Object, &Arc<Texture>)],
     split: bool,
     max_parts: u64,
-    functions: &Functions,
+    (functions, keep): (&Functions, Keep),
 ) -> SourceResult<CompiledGeometry> {
     let mut census = Census::default();
     for (object, _) in objects {
@@ -130,14 +133,15 @@ fn build(
     for (object, _) in objects {
         collect_lights(object, &Transform::IDENTITY, None, &census, &mut out);
     }
-    let mut builder = Builder::new(&census, objects.len(), functions);
+    let mut builder = Builder::new(&census, objects.len(), functions, keep);
     let mut items = GroupBuilder::with_capacity(objects.len());
     builder.place_roots(objects, split, &mut items);
     if !builder.errors.is_empty() {
         return Err(builder.errors);
     }
-    let Builder { mut geometry, textures, interiors, labeler, mut watched, .. } = builder;
+    let Builder { mut geometry, textures, interiors, labeler, mut watched, ledger, .. } = builder;
     watched.sort_by_key(|w| w.span);
     geometry.root = Group::new(items);
-    Ok(CompiledGeometry { geometry, textures, interiors, labels: labeler.finish(), watched, ..out })
+    geometry.is_sampled = geometry.primitives.iter().any(|primitive| primitive.shape.is_sampled());
+    Ok(CompiledGeometry { geometry, textures, interiors, labels: labeler.finish(), watched, ledger, ..out })
 }

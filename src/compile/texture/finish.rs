@@ -2,10 +2,15 @@
 
 use super::noise_generator;
 use crate::compiled::texture::{Finish, Reflection};
+use crate::math::Rgb;
+use crate::omission::{Ledger, Omission};
 use crate::scene::{self, Settings};
 
-pub(super) fn compile(finish: &scene::Finish, settings: &Settings) -> Finish {
-    let mirror = finish.reflection_max != crate::math::Rgb::ZERO || finish.reflection_min != crate::math::Rgb::ZERO;
+pub(super) fn compile(finish: &scene::Finish, settings: &Settings, ledger: &mut Ledger) -> Finish {
+    let mut is_needed = |is_zero: bool| !is_zero || !ledger.omits(Omission::FinishTerms, 0);
+    let mirrors = is_needed(finish.reflection_max == Rgb::ZERO && finish.reflection_min == Rgb::ZERO);
+    let uses_lights =
+        is_needed([finish.diffuse, finish.diffuse_back, finish.specular, finish.phong].iter().all(|term| *term == 0.0));
     Finish {
         own_light: finish.ambient * settings.ambient_light + finish.emission,
         diffuse: finish.diffuse,
@@ -21,7 +26,7 @@ pub(super) fn compile(finish: &scene::Finish, settings: &Settings) -> Finish {
         irid_thickness: f64::from(finish.irid_thickness),
         irid_turbulence: (finish.irid_turbulence != 0.0)
             .then(|| (f64::from(finish.irid_turbulence), noise_generator(settings))),
-        reflection: mirror.then(|| Reflection {
+        reflection: mirrors.then(|| Reflection {
             min: finish.reflection_min,
             max: finish.reflection_max,
             fresnel: finish.reflection_fresnel,
@@ -32,9 +37,6 @@ pub(super) fn compile(finish: &scene::Finish, settings: &Settings) -> Finish {
         conserve_energy: finish.conserve_energy,
         caustics: finish.caustics.map(f64::from),
         refraction: finish.refraction,
-        uses_lights: finish.diffuse != 0.0
-            || finish.diffuse_back != 0.0
-            || finish.specular != 0.0
-            || finish.phong != 0.0,
+        uses_lights,
     }
 }

@@ -9,11 +9,12 @@ mod picture;
 
 use super::function::Functions;
 use crate::compiled::texture::{
-    Blend, Finish, ImageMap, Layer, Normal, PatternedTexture, Pigment, Texture, WaveSources,
+    Blend, Finish, ImageMap, Layer, Normal, Pattern, PatternedTexture, Pigment, Texture, WaveSources,
 };
 use crate::diag::{Diagnostic, Span};
 use crate::math::Color;
 use crate::math::noise::NoiseGenerator;
+use crate::omission::{Keep, Ledger, Omission};
 use crate::scene::{self, PigmentKind, Settings};
 use crate::stack::roomy;
 use rustc_hash::FxHashMap;
@@ -71,6 +72,8 @@ pub struct TextureCompiler<'s> {
     textures: Shared<scene::Texture, Texture>,
     /// Sources of ripples and waves, made when first asked for.
     waves: Option<Arc<WaveSources>>,
+    /// What pictures do not need.
+    ledger: Ledger,
     /// How deep in a texture it is, and how many parts that has so far.
     depth: usize,
     n_parts: usize,
@@ -98,9 +101,20 @@ impl<'s> TextureCompiler<'s> {
             finishes: Shared::default(),
             textures: Shared::default(),
             waves: None,
+            ledger: Ledger::default(),
             depth: 0,
             n_parts: 0,
         }
+    }
+
+    /// Without leaving out what is to be kept.
+    pub(super) fn keeping(self, keep: Keep) -> Self {
+        Self { ledger: Ledger::new(keep), ..self }
+    }
+
+    /// What was found that pictures do not need.
+    pub(super) fn ledger(&self) -> &Ledger {
+        &self.ledger
     }
 
     /// Makes a part of a texture, if that has not too many already.
@@ -156,7 +170,12 @@ impl<'s> TextureCompiler<'s> {
     fn whole_texture(&mut self, texture: &scene::Texture) -> Result<Texture, Refusal> {
         Ok(match texture {
             scene::Texture::Layers(layers) => {
-                Texture::Layers(layers.iter().map(|l| self.layer(l)).collect::<Result<_, _>>()?)
+                let mut layers: Vec<Layer> = layers.iter().map(|l| self.layer(l)).collect::<Result<_, _>>()?;
+                let n_covered = layers.iter().rposition(Layer::is_opaque).unwrap_or(0);
+                let is_left_out = |_: &usize| self.ledger.omits(Omission::CoveredLayers, size_of::<Layer>());
+                let n_left_out = (0..n_covered).filter(is_left_out).count();
+                layers.drain(..n_left_out);
+                Texture::Layers(layers)
             }
             scene::Texture::Patterned(patterned) => self.patterned(patterned).map_err(|r| r.at(patterned.span))?,
         })
@@ -191,7 +210,7 @@ impl<'s> TextureCompiler<'s> {
             side_by_side: pigment.is_side_by_side(),
             pigment,
             normal,
-            finish: self.once(&layer.finish, |c| &mut c.finishes, |_| Ok(finish::compile(&layer.finish, settings)))?,
+            finish: self.once(&layer.finish, |c| &mut c.finishes, |c| Ok(finish::compile(&layer.finish, settings, &mut c.ledger)))?,
             quick_color: layer.pigment.rare.as_ref().and_then(|rare| rare.quick_color),
         })
     }
@@ -221,8 +240,8 @@ impl<'s> TextureCompiler<'s> {
             PigmentKind::Colors(pattern, colors) => {
                 let colors = self.color_blend(&pattern.kind, colors)?;
                 match single_color(&colors) {
-                    Some(color) => Pigment::Solid(color),
-                    None => Pigment::Colors(Box::new(self.pattern(pattern)?), colors),
+                    Some(color) if self.ledger.omits(Omission::FlatMaps, size_of::<Pattern>()) => Pigment::Solid(color),
+                    _ => Pigment::Colors(Box::new(self.pattern(pattern)?), colors),
                 }
             }
             PigmentKind::Pigments(pattern, list) => {

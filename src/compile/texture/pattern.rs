@@ -11,6 +11,7 @@ use crate::compiled::texture::{
 use crate::function::Translate as _;
 use crate::math::DVec3;
 use crate::math::noise::{NoiseGenerator, Octaves};
+use crate::omission::Omission;
 use crate::scene;
 use std::sync::Arc;
 
@@ -20,8 +21,9 @@ impl TextureCompiler<'_> {
     /// # Errors
     /// As [`texture`](Self::texture).
     pub fn pattern(&mut self, pattern: &scene::Pattern) -> Result<Pattern, Refusal> {
-        let warps = pattern.warps.iter().rev().filter(|w| !is_identity(w));
-        let mut warps: Vec<Warp> = warps.map(warp).collect();
+        let is_needed =
+            |w: &&scene::Warp| !is_identity(w) || !self.ledger.omits(Omission::IdentityWarps, size_of::<Warp>());
+        let mut warps: Vec<Warp> = pattern.warps.iter().rev().filter(is_needed).map(warp).collect();
         let kind = self.kind(pattern)?;
         // Marble and wood take the turbulence into their formula; all others move the point.
         if let Some(turbulence) = &pattern.turbulence

@@ -218,6 +218,8 @@ pub(crate) struct Node {
     pub(crate) parent: Option<Parent>,
     /// Crossings are taken in reverse order an odd number of times on their way from here to the root.
     pub(crate) is_reversed: bool,
+    /// They were once more by solids of which this was the only part.
+    pub(crate) flips: bool,
 }
 
 /// What a node is a child of.
@@ -262,6 +264,7 @@ impl Node {
             appearance: AppearanceId::default(),
             parent: None,
             is_reversed: false,
+            flips: false,
         }
     }
 }

@@ -61,6 +61,8 @@ pub struct Geometry {
     pub(crate) primitives: Table<PrimitiveId, Primitive>,
     pub(crate) appearances: Table<AppearanceId, Appearance>,
     pub(crate) placements: Table<PlacementId, Placement>,
+    /// Some shape [is sampled](Shape::is_sampled).
+    pub(crate) is_sampled: bool,
     /// Of each interior, whether fog and media outside also fill its object.
     pub(crate) hollow: Table<InteriorId, bool>,
 }
@@ -121,7 +123,8 @@ impl Geometry {
         if scratch.shadows.len() <= light {
             scratch.shadows.resize(light + 1, LastShadow::default());
         }
-        if scratch.shadows[light].is_filtered {
+        // A ray cut in pieces may find other places of what is sampled: which way it goes must not depend on others.
+        if scratch.shadows[light].is_filtered && !self.is_sampled {
             return Shadow::Filtered;
         }
         let search = || Blocking { opaque, is_filtered: false, blocker: None };

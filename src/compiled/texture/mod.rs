@@ -75,6 +75,13 @@ pub struct Layer {
     pub quick_color: Option<crate::math::Color>,
 }
 
+impl Layer {
+    /// Whether no light comes through anywhere, at any quality.
+    pub fn is_opaque(&self) -> bool {
+        self.pigment.is_opaque() && self.quick_color.is_none_or(|color| color.filter == 0.0 && color.transmit == 0.0)
+    }
+}
+
 /// Textures under a pattern.
 #[derive(Clone, Debug)]
 pub struct PatternedTexture {
@@ -92,9 +99,7 @@ impl Texture {
     /// Whether no light comes through anywhere, so that a shadow ray ends here.
     pub fn is_opaque(&self) -> bool {
         match self {
-            Self::Layers(layers) => {
-                layers.iter().any(|l| l.pigment.is_opaque() && l.quick_color.is_none_or(|c| c.opacity() == 1.0))
-            }
+            Self::Layers(layers) => layers.iter().any(Layer::is_opaque),
             Self::Patterned(p) => p.items.iter().all(|item| item.is_opaque()),
         }
     }

@@ -5,6 +5,7 @@
 use super::{area, visibility};
 use crate::compiled::light::{Area, Arrival, Light};
 use crate::math::{DVec3, Rgb};
+use crate::omission::Omission;
 use crate::render::random::{Branch, Dimension};
 use crate::render::shade::SurfaceLayer;
 use crate::render::shade::finish::{self, Incidence};
@@ -61,7 +62,10 @@ pub(in crate::render) fn direct_light(
         let Entry { arrival, unblocked } = arriving.entries[order];
         let sampled = light.area.as_ref().filter(|a| a.illumination && worker.options().area_lights());
         let beam = lit_side(vertex, layer, index, light, arrival.direction);
-        if sampled.is_none() && (light.is_spent(arrival.color) || beam.is_none()) {
+        let is_spent = light.is_spent(arrival.color);
+        let is_asked = world.features.kept.holds(Omission::SpentLights);
+        if sampled.is_none() && (is_spent && !is_asked || beam.is_none()) {
+            worker.statistics.spared_shadow_rays += 1;
             continue;
         }
         let rgb = match unblocked {
@@ -72,7 +76,7 @@ pub(in crate::render) fn direct_light(
                 found
             }
         };
-        if light.is_spent(rgb) {
+        if light.is_spent(rgb) || is_spent && sampled.is_none() {
             continue;
         }
         let answer = match (sampled, beam) {
