@@ -363,6 +363,9 @@ impl<'a> Builder<'a> {
             node.bounded_by =
                 object.rare.bounded_by.iter().filter_map(|o| self.node(o, &clip_context, id, false)).collect();
         }
+        if !node.clips.is_empty() || !node.bounded_by.is_empty() {
+            node.nesting = 0;
+        }
         for clip in &node.clips {
             let clip = &self.geometry.nodes[*clip];
             node.bounds = node.bounds.intersection(&clip.extent);
@@ -495,6 +498,9 @@ impl<'a> Builder<'a> {
             }
             built.extend(part);
         }
+        if compiled == Operation::Intersection && !inside.cutaway {
+            node.nesting = self.flatten(&mut built);
+        }
         let nodes = &self.geometry.nodes;
         let hull = |f: fn(&Node) -> Bounds| built.iter().fold(Bounds::EMPTY, |sum, n| sum.union(&f(&nodes[*n])));
         node.bounds = hull(|n| n.bounds);
@@ -511,10 +517,10 @@ impl<'a> Builder<'a> {
                     let around = nodes[*n].bounds.intersection(&common(i)).intersection(&node.extent);
                     sum.union(&self.reach(*n, &around, true))
                 });
-            } else if let Some(first) = built.first() {
-                // Whatever survives lies on one child and inside all others.
-                let rest = nodes[*first].bounds.union(&nodes[*first].extent);
-                node.bounds = node.bounds.intersection(&rest);
+            } else {
+                // Whatever survives lies on a child or inside of it.
+                let reaches = built.iter().map(|n| nodes[*n].bounds.union(&nodes[*n].extent));
+                node.bounds = reaches.fold(node.bounds, |sum, reach| sum.intersection(&reach));
             }
             node.gap = hull(|n| n.gap);
         } else {
@@ -535,6 +541,45 @@ impl<'a> Builder<'a> {
             children: built.into(),
             is_difference: operation == CsgOperation::Difference && !inside.inverse,
         };
+    }
+
+    /// Takes intersections apart that stand deep in each other, so that a hierarchy finds their parts; how deep they still
+    /// stand then, with the one around these parts.
+    fn flatten(&mut self, built: &mut Vec<NodeId>) -> u8 {
+        /// Up to here going down is as good.
+        const DEEPEST: u8 = 8;
+        let nesting = |builder: &Self, part: &NodeId| builder.geometry.nodes[*part].nesting;
+        let deepest = built.iter().map(|part| nesting(self, part)).max().unwrap_or(0);
+        if deepest < DEEPEST {
+            return deepest + 1;
+        }
+        let mut parts = Vec::new();
+        self.take_apart(built, &mut parts);
+        for (part, is_reversed) in &parts {
+            // The intersection around them reverses each once.
+            self.geometry.nodes[*part].flips ^= !is_reversed;
+        }
+        *built = parts.into_iter().map(|(part, _)| part).collect();
+        1
+    }
+
+    /// The parts of an intersection, those of intersections among them, in the order in which their crossings are taken,
+    /// each with whether its own are taken in reverse.
+    fn take_apart(&mut self, children: &[NodeId], parts: &mut Vec<(NodeId, bool)>) {
+        for child in children {
+            let nodes = &mut self.geometry.nodes;
+            if nodes[*child].nesting == 0 {
+                parts.push((*child, true));
+                continue;
+            }
+            let inner = std::mem::replace(&mut nodes[*child], Node::placeholder());
+            let first = parts.len();
+            self.take_apart(inner.children(), parts);
+            if !inner.flips {
+                parts[first..].reverse();
+                parts[first..].iter_mut().for_each(|(_, is_reversed)| *is_reversed ^= true);
+            }
+        }
     }
 
     /// How far the parts of solids have come.

@@ -218,8 +218,10 @@ pub(crate) struct Node {
     pub(crate) parent: Option<Parent>,
     /// Crossings are taken in reverse order an odd number of times on their way from here to the root.
     pub(crate) is_reversed: bool,
-    /// They were once more by solids of which this was the only part.
+    /// They were once more by solids that are gone: this was their only part, or they were taken apart.
     pub(crate) flips: bool,
+    /// Intersections that stand in each other here, this one included; 0 where it is none or clipped.
+    pub(crate) nesting: u8,
 }
 
 /// What a node is a child of.
@@ -265,6 +267,7 @@ impl Node {
             parent: None,
             is_reversed: false,
             flips: false,
+            nesting: 0,
         }
     }
 }
