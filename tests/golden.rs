@@ -86,9 +86,8 @@ fn compare(scene: &Path, recipe: &Recipe, name: &str) -> Result<(), Failed> {
     }
     let left = Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden").join(name);
     std::fs::create_dir_all(&left)?;
-    let save = |file: &str, picture| {
-        imaging::save(&left.join(file), picture, &Metadata::default(), Encoding { float: true, sixteen_bit: false })
-    };
+    let encoding = Encoding { float: true, ..Encoding::default() };
+    let save = |file: &str, picture| imaging::save(&left.join(file), picture, &Metadata::default(), &encoding);
     save("expected.png", &expected)?;
     save("actual.exr", &outcome.picture)?;
     save("actual.png", &outcome.picture)?;

@@ -8,6 +8,7 @@ mod compare;
 mod dump;
 mod include_dirs;
 mod messages;
+mod povray;
 mod render;
 mod report;
 mod scene_arguments;
@@ -41,12 +42,18 @@ enum Command {
     Compare(compare::Arguments),
     /// Measure error against run time on ladders of settings, and show it on a page
     Report(report::Arguments),
+    /// Take POV-Ray's arguments, as a program called `povray` does
+    Povray(povray::Arguments),
     /// Drive scenes to extremes until pictures break, and print how far that is
     Stability(stability::Arguments),
 }
 
 /// Runs the program with the process's own arguments.
 pub fn run() -> ExitCode {
+    let mut given = std::env::args_os();
+    if given.next().is_some_and(|name| povray::is_called_povray(&name)) {
+        return povray::run_with(&given.collect::<Vec<_>>());
+    }
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
@@ -64,6 +71,7 @@ pub fn run() -> ExitCode {
         Command::Dump(arguments) => dump::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Povray(arguments) => povray::run(&arguments),
         Command::Stability(arguments) => stability::run(&arguments),
     }
 }

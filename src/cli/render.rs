@@ -2,7 +2,7 @@
 
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, fail, messages};
-use crate::imaging::{Encoding, FileKind};
+use crate::imaging::{Curve, Dither, Encoding, FileKind};
 use crate::job::{Job, Outcome, Output, Session};
 use crate::render::{Antialias, End, ImageLayer, Method, Observer, Options, Progress, Region, Target};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -21,7 +21,7 @@ pub(super) const DEFAULT_SIZE: (usize, usize) = (800, 600);
 pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Picture to write: .exr, .png, .ppm or .hdr, or - for EXR on standard output.
+    /// Picture to write: .exr, .png, .ppm, .tga, .bmp, .jpg or .hdr, or - for standard output.
     /// Without it, the scene's name with .exr, and a preview beside it
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -62,9 +62,8 @@ pub(super) struct Arguments {
     /// Write EXR colours in single instead of half precision
     #[arg(long)]
     float: bool,
-    /// Write PNG with 16 instead of 8 bits
-    #[arg(long)]
-    sixteen_bit: bool,
+    #[command(flatten)]
+    files: Files,
     /// Render a part of the picture: columns X0 to X1 and rows Y0 to Y1 from the upper left corner at 0,0,
     /// X1 and Y1 not included. Its pixels are those of the whole picture; an EXR file keeps its place
     #[arg(long, value_parser = region, value_name = "X0,Y0,X1,Y1")]
@@ -76,6 +75,52 @@ pub(super) struct Arguments {
     /// Say how long each stage took
     #[arg(long)]
     timings: bool,
+}
+
+/// What kinds of files leave open.
+#[derive(Clone, Debug, clap::Args)]
+struct Files {
+    /// Kind of picture, whatever its name says: exr, png, ppm, tga, bmp, jpg or hdr [default: by the name; exr for -]
+    #[arg(long, value_parser = kind, value_name = "KIND")]
+    format: Option<FileKind>,
+    /// Bits of each value of PNG and PPM files
+    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u8).range(5..=16), value_name = "N")]
+    bits: u8,
+    /// Write PNG and PPM files in grey
+    #[arg(long)]
+    grey: bool,
+    /// How good JPEG files are, 1 to 100
+    #[arg(long, default_value_t = Encoding::default().quality, value_parser = clap::value_parser!(u8).range(1..=100), value_name = "N")]
+    jpeg_quality: u8,
+    /// Write display files by a power instead of the sRGB curve; 1 is linear
+    #[arg(long, value_parser = positive, value_name = "GAMMA")]
+    file_gamma: Option<f64>,
+    /// Spread what rounding loses over neighbours, but in EXR, HDR and JPEG files
+    #[arg(long)]
+    dither: bool,
+}
+
+impl Files {
+    fn encoding(&self, float: bool) -> Encoding {
+        Encoding {
+            float,
+            bits: self.bits,
+            grey: self.grey,
+            quality: self.jpeg_quality,
+            curve: self.file_gamma.map_or(Curve::Srgb, Curve::power),
+            dither: self.dither.then_some(Dither::FloydSteinberg),
+        }
+    }
+
+    /// The kind of a file with this name, if one can be told.
+    fn kind(&self, file: &Path) -> Option<FileKind> {
+        let by_name = || if file == Path::new("-") { Some(FileKind::Exr) } else { FileKind::of(file) };
+        self.format.or_else(by_name)
+    }
+}
+
+fn kind(text: &str) -> Result<FileKind, String> {
+    FileKind::named(text).ok_or_else(|| format!("there are {}", FileKind::EXTENSIONS.replace('.', "")))
 }
 
 /// Antialiasing as typed; `off` is a setting, too.
@@ -194,8 +239,22 @@ impl Arguments {
         (error.is_some() || time.is_some() || rounds.is_some()).then_some(Target { error, time, seed, rounds })
     }
 
-    /// The picture's file, and that of its preview.
-    fn files(&self) -> (PathBuf, Option<PathBuf>) {
+    /// The picture's file, and that of its preview, or which of them has no kind.
+    fn outputs(&self) -> Result<Vec<Output>, String> {
+        let (output, preview) = self.named_files();
+        let encoding = self.files.encoding(self.float);
+        let unknown =
+            |file: &Path| format!("{}: unknown kind of picture: use {}", file.display(), FileKind::EXTENSIONS);
+        let kind = self.files.kind(&output).ok_or_else(|| unknown(&output))?;
+        let mut outputs = vec![Output { file: output, kind, encoding }];
+        if let Some(file) = preview {
+            let kind = FileKind::of(&file).ok_or_else(|| unknown(&file))?;
+            outputs.push(Output { file, kind, encoding });
+        }
+        Ok(outputs)
+    }
+
+    fn named_files(&self) -> (PathBuf, Option<PathBuf>) {
         let output = self.output.clone().unwrap_or_else(|| self.scene.scene.with_extension("exr"));
         let beside = || {
             let name = if output == Path::new("-") { &self.scene.scene } else { &output };
@@ -213,27 +272,23 @@ impl Arguments {
 
 /// Renders and writes the picture.
 pub(super) fn run(arguments: &Arguments) -> ExitCode {
-    let (output, preview) = arguments.files();
-    for file in [Some(&output), preview.as_ref()].into_iter().flatten() {
-        if FileKind::of(file).is_none() {
-            return fail(format_args!("{}: unknown kind of picture: use .exr, .png, .ppm or .hdr", file.display()));
-        }
-    }
+    let outputs = match arguments.outputs() {
+        Ok(outputs) => outputs,
+        Err(message) => return fail(message),
+    };
     let options = arguments.options();
     let window = options.window();
     if options.region.is_some_and(|region| region != window) {
         return fail(format_args!("--region reaches beyond the picture of {} x {}", options.width, options.height));
     }
-    let is_exr = |file: &PathBuf| FileKind::of(file) == Some(FileKind::Exr);
-    if !options.layers.is_empty() && !is_exr(&output) {
-        return fail(format_args!("{}: only EXR files have layers", output.display()));
+    if !options.layers.is_empty() && outputs[0].kind != FileKind::Exr {
+        return fail(format_args!("{}: only EXR files have layers", outputs[0].file.display()));
     }
-    let encoding = Encoding { float: arguments.float, sixteen_bit: arguments.sixteen_bit };
     let job = Job {
         scene: arguments.scene.scene.clone(),
         reading: arguments.scene.reading(options.width, options.height),
         rendering: options.clone(),
-        outputs: std::iter::once(output).chain(preview).map(|file| Output { file, encoding }).collect(),
+        outputs,
     };
     let session = Session::new(arguments.threads);
     let bar = progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left");

@@ -3,6 +3,17 @@
 use super::ImageError;
 use std::io::Write;
 use std::path::Path;
+use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
+
+/// Held by all who write, and alone by whoever wants to end the program.
+static WRITING: RwLock<()> = RwLock::new(());
+
+/// Waits until every file that is being written is whole, and lets no more be written while the result lives.
+///
+/// For the end of the program: a file that is half written would stay behind under another name.
+pub fn pause_writing() -> RwLockWriteGuard<'static, ()> {
+    WRITING.write().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// Writes `bytes` to `path`, or to standard output for `-`.
 ///
@@ -13,6 +24,7 @@ use std::path::Path;
 /// [`ImageError::Io`] naming `path`.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), ImageError> {
     let fail = |error| ImageError::Io(path.to_owned(), error);
+    let _whole = WRITING.read().unwrap_or_else(PoisonError::into_inner);
     if path == Path::new("-") {
         let mut out = std::io::stdout().lock();
         return out.write_all(bytes).and_then(|()| out.flush()).map_err(fail);

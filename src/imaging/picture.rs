@@ -61,8 +61,33 @@ impl Picture {
         }
     }
 
+    /// The full picture: black and opaque where this part of it is not. Layers are left out.
+    pub fn completed(&self) -> Self {
+        let mut full = Self::filled(self.full[0], self.full[1], [0.0, 0.0, 0.0, 1.0]);
+        full.has_alpha = self.has_alpha;
+        let [left, top] = self.origin.map(|start| usize::try_from(start).unwrap_or(0));
+        for (row, y) in self.pixels.chunks(self.width.max(1)).zip(top..) {
+            let start = y * full.width + left;
+            full.pixels[start..start + row.len()].copy_from_slice(row);
+        }
+        full
+    }
+
     /// The pixel in column `x` of row `y`.
     pub fn pixel(&self, x: usize, y: usize) -> [f32; 4] {
         self.pixels[y * self.width + x]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_completed_in_their_place() {
+        let part = Picture { origin: [1, 1], full: [4, 3], ..Picture::filled(2, 2, [1.0; 4]) };
+        let full = part.completed();
+        let lit: Vec<usize> = (0..12).filter(|i| full.pixels[*i] == [1.0; 4]).collect();
+        assert_eq!((lit, full.pixel(0, 0), full.pixels.len()), (vec![5, 6, 9, 10], [0.0, 0.0, 0.0, 1.0], 12));
     }
 }

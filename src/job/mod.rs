@@ -3,12 +3,16 @@
 //! A [`Job`] holds everything that a picture depends on. A [`Session`] owns what several jobs share, its threads first
 //! of all, and takes them through the stages: read, compile, render, write.
 
+mod animation;
 mod library;
 mod outcome;
+mod sequence;
 mod session;
 mod settings;
 mod shelf;
 
+pub use animation::{Animation, single, six_digits};
 pub use outcome::{Outcome, Ready, Timings};
+pub use sequence::in_order;
 pub use session::Session;
 pub use settings::{Job, Output};

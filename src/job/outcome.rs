@@ -4,7 +4,7 @@ use crate::compile::geometry::Watched;
 use crate::compiled::World;
 use crate::diag::{Diagnostic, SourceMap};
 use crate::imaging::{Metadata, Picture};
-use crate::render::Progress;
+use crate::render::{BLOCK, Options, Progress};
 use std::time::{Duration, Instant};
 
 /// How long each stage took, in order.
@@ -25,6 +25,18 @@ impl Timings {
         self.0.iter().map(|(_, time)| *time).sum()
     }
 
+    /// How many such pictures at once keep so many threads busy, as far as those can be told apart from their blocks.
+    ///
+    /// Reading and writing take one thread, compiling and rendering as many as there are blocks.
+    pub fn at_once(&self, threads: usize, options: &Options) -> usize {
+        let window = options.window();
+        let blocks = window.width().div_ceil(BLOCK) * window.height().div_ceil(BLOCK);
+        let shared = (self.of("compile") + self.of("render")).as_secs_f64();
+        let alone = self.total().as_secs_f64() - shared;
+        let busy = alone + shared * threads.min(blocks) as f64;
+        ((threads as f64 * self.total().as_secs_f64() / busy).ceil() as usize).clamp(1, threads)
+    }
+
     /// The time of a stage.
     pub fn of(&self, stage: &str) -> Duration {
         self.0.iter().filter(|(name, _)| *name == stage).map(|(_, time)| *time).sum()
@@ -38,6 +50,8 @@ pub struct Outcome {
     pub picture: Picture,
     /// What its file should say.
     pub metadata: Metadata,
+    /// Whether files show the scene's values as they are, by the sRGB curve, whatever their encoding says.
+    pub display_values: bool,
     /// False if the observer stopped it before every pixel was there.
     pub complete: bool,
     /// How a picture with a target came about.
@@ -63,4 +77,23 @@ pub struct Ready {
     pub sources: SourceMap,
     /// Time of each stage.
     pub timings: Timings,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_are_made_at_once_where_cores_are_idle() {
+        let check = |read: u64, render: u64, [width, height]: [usize; 2], expected: usize| {
+            let times = [("read", read), ("render", render)];
+            let timings = Timings(times.map(|(stage, time)| (stage, Duration::from_millis(time))).into());
+            assert_eq!(timings.at_once(8, &Options { width, height, ..Options::default() }), expected);
+        };
+        check(0, 100, [800, 600], 1);
+        check(100, 0, [800, 600], 8);
+        check(100, 100, [800, 600], 2);
+        check(0, 100, [32, 32], 8);
+        check(0, 0, [32, 32], 1);
+    }
 }

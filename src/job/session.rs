@@ -7,7 +7,7 @@ use crate::compile::{self, Compiled, Functions, Queries};
 use crate::compiled::World;
 use crate::compiled::camera::Camera;
 use crate::eval::{self, Evaluated, Failed, Host};
-use crate::imaging::{self, ImageError, Metadata};
+use crate::imaging::{self, Curve, Encoding, ImageError, Metadata};
 use crate::math::DVec3;
 use crate::render::{self, Observer, Options, Progress, Rendered, Statistics, Target};
 use rayon::ThreadPool;
@@ -30,6 +30,11 @@ impl Session {
     pub fn new(threads: usize) -> Self {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build().ok();
         Self { pool, library: Library::default() }
+    }
+
+    /// How many threads work on a picture.
+    pub fn threads(&self) -> usize {
+        self.pool.as_ref().map_or_else(rayon::current_num_threads, ThreadPool::current_num_threads)
     }
 
     /// From a scene file to a world: all that can go wrong with a scene goes wrong here.
@@ -76,6 +81,11 @@ impl Session {
     /// Those of [`compile`](Self::compile).
     pub fn render(&self, job: &Job, host: &dyn Host, observer: &dyn Observer) -> Result<Outcome, Box<Failed>> {
         let ready = self.compile(&job.scene, &job.reading, host)?;
+        Ok(self.develop(job, ready, observer))
+    }
+
+    /// From a scene that is ready to a picture.
+    pub fn develop(&self, job: &Job, ready: Ready, observer: &dyn Observer) -> Outcome {
         let Ready { world, watched, mut warnings, sources, mut timings } = ready;
         let mut options = job.rendering.clone();
         if let Some(time) = options.target.as_mut().and_then(|target| target.time.as_mut()) {
@@ -92,7 +102,8 @@ impl Session {
             notes: rendered.progress.iter().map(|progress| ("whitted:rounds", progress.recipe())).collect(),
         };
         let Rendered { picture, complete, progress, .. } = rendered;
-        Ok(Outcome { picture, metadata, complete, progress, warnings, sources, timings })
+        let display_values = world.settings.display_values;
+        Outcome { picture, metadata, display_values, complete, progress, warnings, sources, timings }
     }
 
     /// Writes a picture's files, each whole or not at all.
@@ -100,8 +111,12 @@ impl Session {
     /// # Errors
     /// When one cannot be written; those before it are there.
     pub fn write(&self, outcome: &mut Outcome, outputs: &[Output]) -> Result<(), ImageError> {
-        let Outcome { picture, metadata, timings, .. } = outcome;
-        let save = || outputs.iter().try_for_each(|o| imaging::save(&o.file, picture, metadata, o.encoding));
+        let Outcome { picture, metadata, display_values, timings, .. } = outcome;
+        let save = |output: &Output| {
+            let curve = if *display_values { Curve::Srgb } else { output.encoding.curve };
+            imaging::save_as(&output.file, output.kind, picture, metadata, &Encoding { curve, ..output.encoding })
+        };
+        let save = || outputs.iter().try_for_each(save);
         timings.time("write", || self.on_all_threads(save))
     }
 }

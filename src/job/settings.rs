@@ -1,7 +1,7 @@
 //! Everything that a picture depends on.
 
 use crate::eval;
-use crate::imaging::Encoding;
+use crate::imaging::{Encoding, FileKind};
 use crate::render;
 use std::path::PathBuf;
 
@@ -21,8 +21,10 @@ pub struct Job {
 /// A file that shows the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
-    /// Its name, by which its kind is known; `-` is standard output.
+    /// Its name; `-` is standard output.
     pub file: PathBuf,
+    /// Its kind, whatever the name says.
+    pub kind: FileKind,
     /// What the format leaves open.
     pub encoding: Encoding,
 }

@@ -38,6 +38,7 @@ mod vertex;
 mod work;
 mod worker;
 
+pub use film::BLOCK;
 pub use image_layer::ImageLayer;
 pub use observer::{FinishedBlock, Observer, Unobserved};
 pub use options::{Antialias, Method, Options, Region, Target};
