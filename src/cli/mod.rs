@@ -6,9 +6,12 @@
 mod check;
 mod compare;
 mod dump;
+mod frames;
 mod include_dirs;
 mod messages;
+mod picture_files;
 mod povray;
+mod progress;
 mod render;
 mod report;
 mod scene_arguments;
@@ -131,6 +134,11 @@ mod tests {
         check("whitted render a.pov --antialias 1,0.3,3 --output b.exr", true);
         check("whitted render a.pov --antialias 3,0.3,3", false);
         check("whitted render a.pov --antialias 1,0.3,30", false);
+        check("whitted render a.pov --frames 1-10 --clocks 0,2 --cyclic --resume --bits 16 --format png", true);
+        check("whitted render a.pov --frames 3-2", false);
+        check("whitted render a.pov --clocks 0,2", false);
+        check("whitted render a.pov --bits 4", false);
+        check("whitted povray +W8 -H6 --version a.pov", true);
         check("whitted render a.pov --width 0", false);
         check("whitted render", false);
         check("whitted compare a.exr b.exr --heatmap c.png", true);

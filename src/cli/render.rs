@@ -1,16 +1,15 @@
 //! `whitted render`: a scene file in, a picture out.
 
+use super::picture_files::Files;
+use super::progress::{Bar, end_on_interrupt, progress_bar, stop_on_interrupt};
 use super::scene_arguments::SceneArguments;
-use super::{ERROR, fail, messages};
-use crate::imaging::{Curve, Dither, Encoding, FileKind};
-use crate::job::{Job, Outcome, Output, Session};
-use crate::render::{Antialias, End, ImageLayer, Method, Observer, Options, Progress, Region, Target};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use super::{ERROR, fail, frames, messages};
+use crate::imaging::FileKind;
+use crate::job::{Earlier, Job, Keeping, Outcome, Output, Session};
+use crate::render::{Antialias, End, ImageLayer, Method, Options, Progress, Region, Target};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 /// The size that an installed POV-Ray's own settings give: 800 x 600.
@@ -72,55 +71,15 @@ pub(super) struct Arguments {
     /// refraction, background, atmosphere, samples, variance, CryptoObject and CryptoMaterial
     #[arg(long, value_parser = layers, value_name = "LIST")]
     layers: Option<Layers>,
+    /// Go on with a picture, or with the frames of an animation, where an interrupted run has left off: what is finished
+    /// is kept in NAME.whitted-state, and taken if it belongs to the same picture
+    #[arg(long, conflicts_with_all = ["target_error", "time_budget", "rounds"])]
+    resume: bool,
+    #[command(flatten)]
+    animation: frames::Frames,
     /// Say how long each stage took
     #[arg(long)]
     timings: bool,
-}
-
-/// What kinds of files leave open.
-#[derive(Clone, Debug, clap::Args)]
-struct Files {
-    /// Kind of picture, whatever its name says: exr, png, ppm, tga, bmp, jpg or hdr [default: by the name; exr for -]
-    #[arg(long, value_parser = kind, value_name = "KIND")]
-    format: Option<FileKind>,
-    /// Bits of each value of PNG and PPM files
-    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u8).range(5..=16), value_name = "N")]
-    bits: u8,
-    /// Write PNG and PPM files in grey
-    #[arg(long)]
-    grey: bool,
-    /// How good JPEG files are, 1 to 100
-    #[arg(long, default_value_t = Encoding::default().quality, value_parser = clap::value_parser!(u8).range(1..=100), value_name = "N")]
-    jpeg_quality: u8,
-    /// Write display files by a power instead of the sRGB curve; 1 is linear
-    #[arg(long, value_parser = positive, value_name = "GAMMA")]
-    file_gamma: Option<f64>,
-    /// Spread what rounding loses over neighbours, but in EXR, HDR and JPEG files
-    #[arg(long)]
-    dither: bool,
-}
-
-impl Files {
-    fn encoding(&self, float: bool) -> Encoding {
-        Encoding {
-            float,
-            bits: self.bits,
-            grey: self.grey,
-            quality: self.jpeg_quality,
-            curve: self.file_gamma.map_or(Curve::Srgb, Curve::power),
-            dither: self.dither.then_some(Dither::FloydSteinberg),
-        }
-    }
-
-    /// The kind of a file with this name, if one can be told.
-    fn kind(&self, file: &Path) -> Option<FileKind> {
-        let by_name = || if file == Path::new("-") { Some(FileKind::Exr) } else { FileKind::of(file) };
-        self.format.or_else(by_name)
-    }
-}
-
-fn kind(text: &str) -> Result<FileKind, String> {
-    FileKind::named(text).ok_or_else(|| format!("there are {}", FileKind::EXTENSIONS.replace('.', "")))
 }
 
 /// Antialiasing as typed; `off` is a setting, too.
@@ -135,7 +94,7 @@ struct Layers(Vec<ImageLayer>);
 #[derive(Clone, Debug)]
 struct Rounds(Vec<f64>);
 
-fn positive(text: &str) -> Result<f64, String> {
+pub(super) fn positive(text: &str) -> Result<f64, String> {
     let number: f64 = text.parse().map_err(|_| "expected a number")?;
     if number.is_finite() && number > 0.0 { Ok(number) } else { Err("must be above 0".into()) }
 }
@@ -289,10 +248,21 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         reading: arguments.scene.reading(options.width, options.height),
         rendering: options.clone(),
         outputs,
+        keeping: if arguments.resume { Keeping::Resuming } else { Keeping::New },
     };
+    if let Some(animation) = arguments.animation.animation() {
+        return frames::run(&arguments.scene, &job, &animation, arguments.threads);
+    }
     let session = Session::new(arguments.threads);
     let bar = progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left");
-    let bar = Bar { bar, stopped: job.rendering.target.as_ref().map(|_| stop_on_interrupt()) };
+    let stopped = match &job.rendering.target {
+        Some(_) => Some(stop_on_interrupt()),
+        None => {
+            end_on_interrupt();
+            None
+        }
+    };
+    let bar = Bar { bar, stopped };
     let result = session.render(&job, &arguments.scene.host(), &bar);
     bar.bar.finish_and_clear();
     let mut outcome = match result {
@@ -303,6 +273,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         }
     };
     arguments.scene.how.messages.show(&outcome.warnings, &outcome.sources);
+    say_what_was_left(&outcome.earlier);
     if !outcome.complete {
         return fail("stopped before every pixel was seen; nothing is written");
     }
@@ -320,6 +291,17 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         show_timings(&outcome);
     }
     ExitCode::SUCCESS
+}
+
+/// What `--resume` has found.
+fn say_what_was_left(earlier: &Earlier) {
+    match earlier {
+        Earlier::Nothing => {}
+        Earlier::Other => {
+            messages::line("warning: what is kept beside the picture belongs to another one and is not used")
+        }
+        Earlier::Pieces(n) => messages::line(format_args!("{n} finished pieces were there already")),
+    }
 }
 
 /// What was reached, and what it cost.
@@ -344,47 +326,4 @@ fn show_timings(outcome: &Outcome) {
     let rays = outcome.metadata.rays as f64;
     let rate = rays / outcome.timings.of("render").as_secs_f64() / 1e6;
     messages::line(format_args!("rays     {rays:9.0} ({rate:.2} million a second)"));
-}
-
-/// Shows how a picture comes along.
-struct Bar {
-    bar: ProgressBar,
-    /// Whether the user wants no more, of a picture that is one at any time.
-    stopped: Option<Arc<AtomicBool>>,
-}
-
-impl Observer for Bar {
-    fn advanced(&self, done: usize, of: usize) {
-        self.bar.set_length(of as u64);
-        self.bar.set_position(done as u64);
-    }
-
-    fn cancels(&self) -> bool {
-        self.stopped.as_ref().is_some_and(|stopped| stopped.load(Ordering::Relaxed))
-    }
-}
-
-/// A flag that the first interrupt raises, as by Ctrl-C; the second one ends the program.
-fn stop_on_interrupt() -> Arc<AtomicBool> {
-    let stopped = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&stopped);
-    // Where there are no signals to be had, an interrupt ends the program as ever.
-    let _ = ctrlc::set_handler(move || {
-        if raised.swap(true, Ordering::Relaxed) {
-            // What a shell calls a program that an interrupt has ended.
-            std::process::exit(130);
-        }
-    });
-    stopped
-}
-
-/// Drawn only on a terminal.
-pub(super) fn progress_bar(template: &str) -> ProgressBar {
-    let target =
-        if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-    let bar = ProgressBar::with_draw_target(Some(1), target);
-    match ProgressStyle::with_template(template) {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }

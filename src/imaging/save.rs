@@ -1,7 +1,7 @@
 //! A picture to the bytes of a file.
 
 use super::exr_file::encode_exr;
-use super::{Encoding, FileKind, ImageError, Metadata, Picture, display_file, write_whole};
+use super::{Encoding, FileKind, ImageError, Metadata, Picture, display_file, mark, write_whole};
 use image::Rgb;
 use image::codecs::hdr::HdrEncoder;
 use std::path::Path;
@@ -23,7 +23,7 @@ pub fn save_as(
         _ => display_file::encode(kind, picture, metadata, encoding)
             .map_err(|why| ImageError::Invalid(path.to_owned(), why))?,
     };
-    write_whole(path, &bytes)
+    write_whole(path, &mark::marked(kind, bytes, metadata))
 }
 
 /// Writes a picture as a file of the kind that its extension names.

@@ -4,15 +4,19 @@
 //! of all, and takes them through the stages: read, compile, render, write.
 
 mod animation;
+mod identity;
 mod library;
 mod outcome;
 mod sequence;
 mod session;
 mod settings;
 mod shelf;
+mod state;
 
 pub use animation::{Animation, single, six_digits};
+pub use identity::Identity;
 pub use outcome::{Outcome, Ready, Timings};
-pub use sequence::in_order;
+pub use sequence::measured_in_order;
 pub use session::Session;
-pub use settings::{Job, Output};
+pub use settings::{Job, Keeping, Output};
+pub use state::Earlier;

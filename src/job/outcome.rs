@@ -1,10 +1,14 @@
 //! What a session gives back.
 
+use super::Job;
+use super::identity::Digest;
+use super::state::{Earlier, State};
 use crate::compile::geometry::Watched;
 use crate::compiled::World;
 use crate::diag::{Diagnostic, SourceMap};
 use crate::imaging::{Metadata, Picture};
 use crate::render::{BLOCK, Options, Progress};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// How long each stage took, in order.
@@ -28,7 +32,7 @@ impl Timings {
     /// How many such pictures at once keep so many threads busy, as far as those can be told apart from their blocks.
     ///
     /// Reading and writing take one thread, compiling and rendering as many as there are blocks.
-    pub fn at_once(&self, threads: usize, options: &Options) -> usize {
+    fn at_once(&self, threads: usize, options: &Options) -> usize {
         let window = options.window();
         let blocks = window.width().div_ceil(BLOCK) * window.height().div_ceil(BLOCK);
         let shared = (self.of("compile") + self.of("render")).as_secs_f64();
@@ -62,6 +66,18 @@ pub struct Outcome {
     pub sources: SourceMap,
     /// Time of each stage.
     pub timings: Timings,
+    /// What an earlier run had left.
+    pub earlier: Earlier,
+    /// Pieces of the picture, until it is in its file.
+    pub(super) state: Option<State>,
+}
+
+impl Outcome {
+    /// How many pictures of this job's kind at once keep so many threads busy; those for standard output come in order.
+    pub fn at_once(&self, threads: usize, job: &Job) -> usize {
+        let is_piped = job.outputs.iter().any(|output| output.file == Path::new("-"));
+        if is_piped { 1 } else { self.timings.at_once(threads, &job.rendering) }
+    }
 }
 
 /// A scene that is ready to be rendered.
@@ -77,6 +93,8 @@ pub struct Ready {
     pub sources: SourceMap,
     /// Time of each stage.
     pub timings: Timings,
+    /// Of all files that were read.
+    pub(super) digest: Digest,
 }
 
 #[cfg(test)]

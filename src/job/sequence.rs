@@ -7,10 +7,30 @@ use std::sync::mpsc;
 /// Address space for each piece that is under way, of which only what is used costs anything: scenes may nest deeply.
 const STACK: usize = 256 << 20;
 
+/// Does pieces of work 0 to n, one at a time until one says how many of its like keep all cores busy, then so many.
+///
+/// `work` is told whether it is the only one at work; results come to `done` as in [`in_order`].
+pub fn measured_in_order<T: Send>(
+    n: usize,
+    work: impl Fn(usize, bool) -> (T, Option<usize>) + Sync,
+    mut done: impl FnMut(usize, T) -> bool,
+) {
+    let (mut first, mut measured) = (0, None);
+    while first < n && measured.is_none() {
+        let (result, at_once) = work(first, true);
+        if !done(first, result) {
+            return;
+        }
+        (first, measured) = (first + 1, at_once);
+    }
+    let at_once = measured.unwrap_or(1);
+    in_order(n - first, at_once, |i| work(first + i, at_once == 1).0, |i, result| done(first + i, result));
+}
+
 /// Does pieces of work 0 to n, up to `at_once` at the same time, and hands each result to `done` in order.
 ///
 /// `done` runs on this thread and says whether to go on; what is under way then is finished and dropped.
-pub fn in_order<T: Send>(
+fn in_order<T: Send>(
     n: usize,
     at_once: usize,
     work: impl Fn(usize) -> T + Sync,
@@ -85,6 +105,22 @@ mod tests {
         });
         let expected: Vec<_> = (0..n.min(until + 1)).map(|piece| (piece, piece * piece)).collect();
         assert_eq!(told, expected, "{at_once} at once");
+    }
+
+    #[test]
+    fn pieces_are_done_alone_until_one_is_measured() {
+        let alone = AtomicUsize::new(0);
+        let work = |piece: usize, is_alone: bool| {
+            alone.fetch_add(usize::from(is_alone), Ordering::Relaxed);
+            (piece, (piece == 2).then_some(4))
+        };
+        let mut told = Vec::new();
+        measured_in_order(9, work, |piece, result| {
+            told.push((piece, result));
+            true
+        });
+        assert_eq!(told, (0..9).map(|piece| (piece, piece)).collect::<Vec<_>>());
+        assert_eq!(alone.into_inner(), 3);
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! What several pictures share, and the way of each through the stages.
 
+use super::identity::Noting;
 use super::library::{Library, Remembering};
-use super::{Job, Outcome, Output, Ready, Timings};
+use super::state::{self, Earlier, State};
+use super::{Identity, Job, Keeping, Outcome, Output, Ready, Timings};
 use crate::compile::geometry::Watched;
 use crate::compile::{self, Compiled, Functions, Queries};
 use crate::compiled::World;
@@ -47,6 +49,7 @@ impl Session {
         self.library.begin_scene();
         let functions = Functions::sharing(&self.library.pictures);
         let host = Remembering { host, library: &self.library };
+        let host = Noting::new(&host);
         // On this thread, whose heap grows in large pages.
         let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(&functions)));
         let Evaluated { scene: description, mut warnings, mut sources } = read?;
@@ -54,7 +57,7 @@ impl Session {
         match timings.time("compile", || self.on_all_threads(|| compile::compile_sharing(&description, &functions))) {
             Ok(Compiled { world, warnings: more, watched }) => {
                 warnings.extend(more);
-                Ok(Ready { world, watched, warnings, sources, timings })
+                Ok(Ready { world, watched, warnings, sources, timings, digest: host.digest() })
             }
             Err(errors) => {
                 warnings.extend(errors);
@@ -86,11 +89,15 @@ impl Session {
 
     /// From a scene that is ready to a picture.
     pub fn develop(&self, job: &Job, ready: Ready, observer: &dyn Observer) -> Outcome {
-        let Ready { world, watched, mut warnings, sources, mut timings } = ready;
+        let identity = Identity::new(job, &ready.digest);
+        let (state, earlier) = state_of(job, identity).map_or((None, Earlier::Nothing), |(s, e)| (Some(s), e));
+        let Ready { world, watched, mut warnings, sources, mut timings, .. } = ready;
         let mut options = job.rendering.clone();
         if let Some(time) = options.target.as_mut().and_then(|target| target.time.as_mut()) {
             *time = time.saturating_sub(timings.total());
         }
+        let keeping = state.as_ref().map(|state| state::Keeping { observer, state });
+        let observer = keeping.as_ref().map_or(observer, |keeping| keeping as &dyn Observer);
         let rendered = timings.time("render", || self.picture(&world, &options, observer));
         warnings.extend(watched.iter().filter_map(Watched::warning));
         let metadata = Metadata {
@@ -99,11 +106,11 @@ impl Session {
             camera: describe(&world.camera),
             rays: rendered.statistics.rays(),
             figures: figures(&rendered, job.rendering.target.as_ref()),
-            notes: rendered.progress.iter().map(|progress| ("whitted:rounds", progress.recipe())).collect(),
+            notes: notes(&rendered, identity),
         };
         let Rendered { picture, complete, progress, .. } = rendered;
         let display_values = world.settings.display_values;
-        Outcome { picture, metadata, display_values, complete, progress, warnings, sources, timings }
+        Outcome { picture, metadata, display_values, complete, progress, warnings, sources, timings, earlier, state }
     }
 
     /// Writes a picture's files, each whole or not at all.
@@ -111,14 +118,43 @@ impl Session {
     /// # Errors
     /// When one cannot be written; those before it are there.
     pub fn write(&self, outcome: &mut Outcome, outputs: &[Output]) -> Result<(), ImageError> {
-        let Outcome { picture, metadata, display_values, timings, .. } = outcome;
+        let Outcome { picture, metadata, display_values, timings, state, .. } = outcome;
         let save = |output: &Output| {
             let curve = if *display_values { Curve::Srgb } else { output.encoding.curve };
             imaging::save_as(&output.file, output.kind, picture, metadata, &Encoding { curve, ..output.encoding })
         };
         let save = || outputs.iter().try_for_each(save);
-        timings.time("write", || self.on_all_threads(save))
+        let written = timings.time("write", || self.on_all_threads(save));
+        if let Some(state) = state {
+            match &written {
+                Ok(()) => state.discard(),
+                // The picture can still be written from its pieces, if those can.
+                Err(_) => drop(state.flush()),
+            }
+        }
+        written
     }
+
+    /// Whether the job's file is there already: `None` without one, else whether it says that it is the same picture.
+    pub fn is_made(&self, job: &Job, ready: &Ready) -> Option<bool> {
+        let bytes = std::fs::read(job.kept_beside()?).ok().filter(|bytes| !bytes.is_empty())?;
+        Some(imaging::mark_of(&bytes).as_deref() == Some(&*Identity::new(job, &ready.digest).to_string()))
+    }
+}
+
+/// The pieces of a picture, and what an earlier run had left of them.
+fn state_of(job: &Job, identity: Identity) -> Option<(State, Earlier)> {
+    if job.keeping == Keeping::Resuming {
+        job.outputs.iter().for_each(|output| imaging::sweep(&output.file));
+    }
+    let path = state::state_file(job.kept_beside()?);
+    Some(State::open(path, identity, job.keeping == Keeping::Resuming))
+}
+
+/// What the file says in words: which picture it is, and how one with a target came about.
+fn notes(rendered: &Rendered, identity: Identity) -> Vec<(&'static str, String)> {
+    let rounds = rendered.progress.iter().map(|progress| ("whitted:rounds", progress.recipe()));
+    std::iter::once((imaging::MARK, identity.to_string())).chain(rounds).collect()
 }
 
 /// What the file says in numbers: rays by kind and, of a picture with a target, how far it came.

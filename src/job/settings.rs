@@ -3,7 +3,7 @@
 use crate::eval;
 use crate::imaging::{Encoding, FileKind};
 use crate::render;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// One picture of one scene.
 #[derive(Clone, Debug, Default)]
@@ -16,6 +16,30 @@ pub struct Job {
     pub rendering: render::Options,
     /// Files that are written, in order.
     pub outputs: Vec<Output>,
+    /// Whether finished pieces are kept beside the first output while the picture is made.
+    pub keeping: Keeping,
+}
+
+/// What becomes of pieces of a picture that is interrupted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Keeping {
+    /// They are lost.
+    #[default]
+    Nothing,
+    /// They are kept; those of an earlier run are not looked at.
+    New,
+    /// They are kept, and those of an earlier run of the same picture are taken.
+    Resuming,
+}
+
+impl Job {
+    /// The file beside which pieces are kept, if there can be any: pictures with a target or layers have none.
+    pub(super) fn kept_beside(&self) -> Option<&Path> {
+        let file = self.outputs.first().map(|output| output.file.as_path())?;
+        let is_plain = self.rendering.target.is_none() && self.rendering.layers.is_empty();
+        let is_file = file != Path::new("-") && !file.metadata().is_ok_and(|metadata| !metadata.is_file());
+        (self.keeping != Keeping::Nothing && is_plain && is_file).then_some(file)
+    }
 }
 
 /// A file that shows the picture.

@@ -14,6 +14,16 @@ pub struct Statistics {
 }
 
 impl Statistics {
+    /// In the order of the fields.
+    pub fn counts(&self) -> [u64; 4] {
+        [self.camera_rays, self.transmitted_rays, self.reflected_rays, self.shadow_rays]
+    }
+
+    /// The inverse of [`counts`](Self::counts).
+    pub fn from_counts([camera_rays, transmitted_rays, reflected_rays, shadow_rays]: [u64; 4]) -> Self {
+        Self { camera_rays, transmitted_rays, reflected_rays, shadow_rays }
+    }
+
     /// All rays.
     pub fn rays(&self) -> u64 {
         self.camera_rays + self.transmitted_rays + self.reflected_rays + self.shadow_rays

@@ -27,7 +27,7 @@ pub(super) enum Action {
     Note(&'static str),
 }
 
-const SHELL: &str = "shell commands are never run";
+const SHELL: &str = "shell commands are prohibited, and never run";
 const FIELDS: &str = "fields are not rendered; POV-Ray 3.7 takes the option and renders whole frames, too";
 const RADIOSITY_FILES: &str = "radiosity is not kept in files";
 
@@ -80,6 +80,7 @@ pub(super) const KEYS: &[Key] = &[
     work("Height", Whole, |s, v| set(&mut s.size[1], v.whole())),
     ignore("High_Reproducibility", Bool),
     work("Include_Header", Name, |s, v| set(&mut s.header, Some(v.text().into()))),
+    ignore("Include_Ini", Name),
     work("Initial_Clock", Real, |s, v| set(&mut s.initial_clock, v.real())),
     work("Initial_Frame", Whole, |s, v| set(&mut s.initial_frame, Some(v.whole()))),
     work("Input_File_Name", Name, |s, v| set(&mut s.scene, Some(v.text().into()))),

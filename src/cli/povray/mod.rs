@@ -11,6 +11,7 @@ mod keys;
 mod names;
 mod progress;
 mod reader;
+mod report;
 mod run;
 mod scene_host;
 mod settings;

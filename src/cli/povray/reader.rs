@@ -183,7 +183,7 @@ impl Reader {
                 && let Some((key, value)) = rest.split_once('=')
                 && key.trim().chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
             {
-                return self.assign(rest, key, unquoted(value.trim()).trim());
+                return self.assign(rest, key, unquoted(last_number(value.trim())).trim());
             }
             let end = end_of_word(rest);
             self.word(&unquoted(&rest[..end]))?;
@@ -199,6 +199,12 @@ impl Reader {
         };
         Refusal { place, reason, hint }
     }
+}
+
+/// Of numbers with commas between them the last: each sets the key anew.
+fn last_number(value: &str) -> &str {
+    let is_list = value.contains(',') && value.chars().all(|c| c.is_ascii_digit() || ",.+- ".contains(c));
+    if is_list { value.rsplit(',').next().unwrap_or(value) } else { value }
 }
 
 /// The folder of an argument that adds one to the library.

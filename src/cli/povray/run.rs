@@ -5,12 +5,12 @@ use super::progress::Progress;
 use super::reader::Reading;
 use super::scene_host::SceneHost;
 use super::settings::{Settings, Sort};
-use super::{CANCELLED, FAILED, created_ini, frames, names};
+use super::{CANCELLED, FAILED, created_ini, frames, names, report};
 use crate::cli::messages::line;
 use crate::cli::{include_dirs, scene_arguments::days_since_2000};
 use crate::eval::{self, Disk, Reach};
 use crate::imaging::{pause_writing, write_whole};
-use crate::job::{Animation, Job, Outcome, Output, Ready, Session, in_order, single};
+use crate::job::{Animation, Earlier, Job, Keeping, Outcome, Output, Ready, Session, measured_in_order, single};
 use crate::render::Options;
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -32,12 +32,17 @@ struct Run<'r> {
 const PARSING: &str = "==== [Parsing...] ==========================================================\n";
 const RENDERING: &str = "==== [Rendering...] ========================================================\n";
 
+const OTHER_STATE: &str =
+    "Warning: the state file is that of another picture (other scene, files or options) and is not used\n";
+
 /// Renders what was asked for.
 pub(super) fn run(reading: &Reading) -> ExitCode {
     reading.notes.iter().for_each(|note| line(format_args!("note: {note}")));
     match Run::prepare(reading) {
         Ok(run) => {
             stop_on_signals();
+            Console::new(&run.streams, false)
+                .say(Sort::Render, report::options(&run.scene, run.settings, &run.rendering));
             let done = run.all_frames();
             line(if done { "POV-Ray finished" } else { "Render failed" });
             if done { ExitCode::SUCCESS } else { ExitCode::from(FAILED) }
@@ -90,18 +95,15 @@ impl<'r> Run<'r> {
         Ok(Self { settings, scene, piped, rendering, animation, frames, session, streams })
     }
 
-    /// Whether all of them were made. The first shows how many at once make use of all cores.
+    /// Whether all of them were made. A frame that fails is no reason to leave out the others.
     fn all_frames(&self) -> bool {
         let (n, mut done) = (self.frames.len(), 0);
-        let first = Console::new(&self.streams, false);
-        let (made, at_once) = self.frame(0, &first);
-        done += usize::from(made);
-        let work = |i: usize| {
-            let console = Console::new(&self.streams, at_once > 1);
-            let (made, _) = self.frame(i + 1, &console);
-            (made, console)
+        let work = |i: usize, is_alone: bool| {
+            let console = Console::new(&self.streams, !is_alone);
+            let (made, at_once) = self.frame(i, &console);
+            ((made, console), at_once)
         };
-        in_order(n - 1, at_once, work, |_, (made, console)| {
+        measured_in_order(n, work, |_, (made, console)| {
             console.tell_all();
             done += usize::from(made);
             true
@@ -112,37 +114,54 @@ impl<'r> Run<'r> {
         done == n
     }
 
-    /// Makes a frame: whether that went well, and how many of its like keep all cores busy.
-    fn frame(&self, i: usize, console: &Console<'_>) -> (bool, usize) {
+    /// Makes a frame: whether it is there now, and, if it was made, how many of its like keep all cores busy.
+    fn frame(&self, i: usize, console: &Console<'_>) -> (bool, Option<usize>) {
         let number = self.animation.map(|animation| (self.frames[i], animation.digits()));
-        if let Some((frame, _)) = number {
-            let last = self.animation.map_or(0, |animation| animation.final_frame);
-            console.say(Sort::Render, format!("Rendering frame {frame} of {last}\n"));
+        let job = self.job(i, number);
+        if let Some(animation) = self.animation {
+            console.say(Sort::Render, format!("Rendering frame {} of {}\n", self.frames[i], animation.final_frame));
         }
         console.plain(PARSING);
-        let job = self.job(i, number);
         let host = SceneHost { disk: self.disk(), piped: self.piped.as_deref(), console };
         let ready = match self.session.compile(&job.scene, &job.reading, &host) {
             Ok(ready) => ready,
             Err(failed) => {
                 console.show(&failed.diagnostics, &failed.sources);
                 console.plain("Fatal error in parser: Cannot parse input.\n");
-                return (false, 1);
+                return (false, None);
             }
         };
         console.show(&ready.warnings, &ready.sources);
+        if self.is_made(&job, &ready, console) {
+            return (true, None);
+        }
         console.plain(RENDERING);
         let mut outcome = self.picture(&job, ready, console);
         match self.session.write(&mut outcome, &job.outputs) {
             Ok(()) => {
-                console.say(Sort::Statistics, statistics(&outcome));
-                (true, outcome.timings.at_once(self.session.threads(), &self.rendering))
+                console.say(Sort::Statistics, report::statistics(&outcome));
+                (true, Some(outcome.at_once(self.session.threads(), &job)))
             }
             Err(error) => {
                 console.say(Sort::Fatal, format!("Cannot open file. {error}\n"));
-                (false, 1)
+                (false, None)
             }
         }
+    }
+
+    /// Whether the picture that is to be gone on with is finished.
+    fn is_made(&self, job: &Job, ready: &Ready, console: &Console<'_>) -> bool {
+        let made = self.settings.continues.then(|| self.session.is_made(job, ready)).flatten();
+        match made {
+            Some(true) => console.say(Sort::Render, "File already rendered and continue requested; skipping.\n"),
+            Some(false) => {
+                let file = job.outputs.first().map_or(Path::new(""), |output| &output.file);
+                let why = "is not the picture of this scene with these options, as far as it says, and is made anew";
+                console.say(Sort::Warning, format!("Warning: '{}' {why}\n", file.display()));
+            }
+            None => {}
+        }
+        made == Some(true)
     }
 
     fn picture(&self, job: &Job, mut ready: Ready, console: &Console<'_>) -> Outcome {
@@ -152,6 +171,11 @@ impl<'r> Run<'r> {
         let progress = Progress::new(console, self.settings.verbose, window.width() * window.height());
         let mut outcome = self.session.develop(job, ready, &progress);
         progress.finish();
+        match outcome.earlier {
+            Earlier::Nothing => {}
+            Earlier::Other => console.say(Sort::Warning, OTHER_STATE),
+            Earlier::Pieces(n) => console.say(Sort::Render, format!("Continued: {n} pieces were there already\n")),
+        }
         console.show(&outcome.warnings, &outcome.sources);
         // POV-Ray's files have the full size, whatever part is rendered.
         if self.rendering.region.is_some() {
@@ -169,6 +193,7 @@ impl<'r> Run<'r> {
             reading: self.reading(i),
             rendering: self.rendering.clone(),
             outputs: if settings.to_file { vec![output] } else { Vec::new() },
+            keeping: if settings.continues { Keeping::Resuming } else { Keeping::New },
         }
     }
 
@@ -220,14 +245,4 @@ fn standard_input() -> Result<Vec<u8>, String> {
     let mut text = Vec::new();
     std::io::stdin().lock().read_to_end(&mut text).map_err(|error| format!("cannot read standard input: {error}"))?;
     Ok(text)
-}
-
-/// What it took, in POV-Ray's words as far as they fit.
-fn statistics(outcome: &Outcome) -> String {
-    let [width, height] = outcome.picture.full;
-    let mut text = format!("Render Statistics\nImage Resolution {width} x {height}\nRays: {}\n", outcome.metadata.rays);
-    for (stage, time) in &outcome.timings.0 {
-        text += &format!("  {stage:8} {:9.3} seconds\n", time.as_secs_f64());
-    }
-    text
 }
