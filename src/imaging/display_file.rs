@@ -104,7 +104,7 @@ fn write_png(
 
 /// Samples of 8 or 16 bits: values of fewer bits are shifted up, and their upper bits fill the room below.
 ///
-/// Source: `docs/povray/camera-and-image.md`, section 4.2.
+/// Source: camera and image facts, section 4.2.
 fn file_bytes(quantised: &Quantised, bits: u8) -> Vec<u8> {
     let widened = |value: u16, to: u8| {
         let up = to - bits;

@@ -1,6 +1,6 @@
 //! Rounding to whole numbers, and where what is lost goes.
 //!
-//! Source: `docs/povray/camera-and-image.md`, section 4.2.
+//! Source: camera and image facts, section 4.2.
 
 use super::{Curve, Dither, Encoding};
 

@@ -85,7 +85,7 @@ pub struct Encoding {
 }
 
 impl Default for Encoding {
-    /// Half precision, 8 bits, sRGB. Source: quality, `docs/povray/camera-and-image.md`, section 4.2.
+    /// Half precision, 8 bits, sRGB. Source: quality, camera and image facts, section 4.2.
     fn default() -> Self {
         Self { float: false, bits: 8, grey: false, quality: 85, curve: Curve::Srgb, dither: None }
     }
@@ -101,7 +101,7 @@ pub enum Curve {
 }
 
 impl Curve {
-    /// How near to 1 an exponent counts as 1. Source: `docs/povray/camera-and-image.md`, section 4.1.
+    /// How near to 1 an exponent counts as 1. Source: camera and image facts, section 4.1.
     const LINEAR_WITHIN: f64 = 0.01;
 
     /// With this exponent; one near 1 leaves values as they are.
@@ -129,7 +129,7 @@ impl Curve {
     }
 }
 
-/// Ways of dithering. Source: `docs/povray/camera-and-image.md`, section 4.2.
+/// Ways of dithering. Source: camera and image facts, section 4.2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dither {
     /// Thresholds in squares of 2, 3 or 4 pixels.

@@ -24,7 +24,7 @@ pub(super) enum Channels {
 impl Quantised {
     /// Values of so many bits; alpha is straight, and where there is none colours stay premultiplied.
     ///
-    /// Source: `docs/povray/camera-and-image.md`, sections 4.1 and 4.3.
+    /// Source: camera and image facts, sections 4.1 and 4.3.
     pub(super) fn new(picture: &Picture, channels: Channels, bits: u8, encoding: &Encoding) -> Self {
         let max = u16::MAX >> (16 - bits);
         let mut values = Vec::with_capacity(picture.pixels.len() * channels as usize);

@@ -20,7 +20,7 @@ pub struct Animation {
 impl Animation {
     /// What the scene takes for the last frame: of a cyclic animation the one that is left out.
     ///
-    /// Source: `docs/povray/command-line.md`, section 5.
+    /// Source: command line facts, section 5.
     pub fn last_seen(&self) -> u32 {
         self.final_frame.saturating_add(u32::from(self.cyclic))
     }
@@ -57,12 +57,12 @@ impl Animation {
     }
 }
 
-/// As scenes see a clock: in single precision. Source: `docs/povray/command-line.md`, section 5.
+/// As scenes see a clock: in single precision. Source: command line facts, section 5.
 pub fn single(clock: f64) -> f64 {
     f64::from(clock as f32)
 }
 
-/// As scenes see other numbers from outside. Source: `docs/povray/command-line.md`, section 5.
+/// As scenes see other numbers from outside. Source: command line facts, section 5.
 pub fn six_digits(number: f64) -> f64 {
     format!("{number:.5e}").parse().unwrap_or(number)
 }

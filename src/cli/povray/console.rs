@@ -1,6 +1,6 @@
 //! Where messages go: POV-Ray's streams, each to standard error, to a file, or to both.
 //!
-//! Source: `docs/povray/command-line.md`, section 7.
+//! Source: command line facts, section 7.
 
 use super::settings::{Settings, Sort};
 use crate::diag::{Diagnostic, Severity, SourceMap};

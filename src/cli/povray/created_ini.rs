@@ -2,7 +2,7 @@
 
 use super::reader::Reading;
 
-/// One key and value a line, in the order of keys. Source: `docs/povray/command-line.md`, section 2.
+/// One key and value a line, in the order of keys. Source: command line facts, section 2.
 pub(super) fn created_ini(reading: &Reading, threads: usize) -> String {
     let mut assigned = reading.assigned.clone();
     assigned.insert("Work_Threads", vec![threads.to_string()]);

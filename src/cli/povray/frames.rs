@@ -1,6 +1,6 @@
 //! Which frames of an animation are rendered.
 //!
-//! Source: `docs/povray/command-line.md`, section 5.
+//! Source: command line facts, section 5.
 
 use super::settings::Settings;
 use crate::job::Animation;

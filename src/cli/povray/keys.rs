@@ -1,6 +1,6 @@
 //! Every key of POV-Ray's INI files, what it takes, and what is done about it.
 //!
-//! Source: `docs/povray/command-line.md`, section 10.
+//! Source: command line facts, section 10.
 
 use super::settings::{Settings, Sort};
 use super::values::{Takes, Value, real};
@@ -243,7 +243,7 @@ fn dither_method(settings: &mut Settings, value: &Value) -> Result<(), String> {
 }
 
 fn file_gamma(settings: &mut Settings, value: &Value) -> Result<(), String> {
-    /// Less is refused. Source: `docs/povray/camera-and-image.md`, section 4.1.
+    /// Less is refused. Source: camera and image facts, section 4.1.
     const LEAST: f64 = 0.001;
     settings.file_gamma = match value {
         Value::Text(_) => Curve::Srgb,

@@ -110,4 +110,20 @@ mod tests {
             assert_eq!(is_called_povray(name.as_ref()), expected, "{name}");
         }
     }
+
+    #[test]
+    fn the_table_for_those_who_move_is_complete() {
+        let table = include_str!("../../../docs/moving-from-povray.md");
+        let words: Vec<&str> = table.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').collect();
+        for key in keys::KEYS {
+            assert!(words.contains(&key.name), "{}", key.name);
+        }
+        for switch in switches::SWITCHES {
+            // A letter in the place of a value may follow.
+            let known = |word: &&str| {
+                word.strip_prefix(switch.letters).is_some_and(|rest| ["", "n", "name", "folder", "xx"].contains(&rest))
+            };
+            assert!(words.iter().any(known), "+{}", switch.letters);
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Where the scene is found and how its pictures are called.
 //!
-//! Source: `docs/povray/command-line.md`, section 3.
+//! Source: command line facts, section 3.
 
 use super::settings::Settings;
 use std::path::{Path, PathBuf};

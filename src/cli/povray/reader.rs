@@ -1,6 +1,6 @@
 //! Arguments and INI files, one after the other, to settings.
 //!
-//! Source: `docs/povray/command-line.md`, sections 1 and 2.
+//! Source: command line facts, sections 1 and 2.
 
 use super::keys::{Action, KEYS, Key};
 use super::settings::Settings;
@@ -34,7 +34,7 @@ pub(super) struct Refusal {
 const OBSOLETE: [&str; 6] =
     ["Buffer_Output", "Buffer_Size", "Create_Histogram", "Histogram_Name", "Histogram_Grid_Size", "Histogram_Type"];
 
-/// INI files that may name one another. Source: `docs/povray/command-line.md`, section 2.
+/// INI files that may name one another. Source: command line facts, section 2.
 const DEPTH: usize = 10;
 
 /// Takes in INI files and arguments.

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 /// The options of a run, at first those that hold without any.
 ///
-/// Source: `docs/povray/command-line.md`, section 10.
+/// Source: command line facts, section 10.
 #[derive(Clone, Debug)]
 pub(super) struct Settings {
     pub(super) scene: Option<PathBuf>,
@@ -163,7 +163,7 @@ impl Settings {
 
     /// The part of the picture, counted from 0 with the end left out; `None` for all of it.
     ///
-    /// Source: `docs/povray/command-line.md`, section 6.
+    /// Source: command line facts, section 6.
     fn region(&self) -> Result<Option<Region>, String> {
         if self.start == [None; 2] && self.end == [None; 2] {
             return Ok(None);
@@ -229,7 +229,7 @@ mod tests {
 
     #[test]
     fn parts_are_those_of_povray() {
-        // Camera and image facts, section 7: the probes of partial pictures; columns and rows from 1 there.
+        // Command line facts, section 6: its probes; columns and rows from 1 there.
         check([10, 8], [0.25, 0.5], [0.75, 1.0], [2, 4, 7, 8]);
         check([10, 8], [2.7, 1.0], [5.9, 8.0], [1, 0, 5, 8]);
         check([10, 8], [0.31, 0.0], [0.69, 3.0], [3, 0, 6, 3]);

@@ -1,6 +1,6 @@
 //! Every switch: a letter or two behind a plus or minus, and the keys that it stands for.
 //!
-//! Source: `docs/povray/command-line.md`, sections 1 and 10.
+//! Source: command line facts, sections 1 and 10.
 
 use super::keys::{KINDS, kind_of, threshold};
 

@@ -1,6 +1,6 @@
 //! What stands behind a key or a switch, by POV-Ray's rules for numbers and words.
 //!
-//! Source: `docs/povray/command-line.md`, section 1.
+//! Source: command line facts, section 1.
 
 /// What a key takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Arguments and lines of INI files cut into words.
 //!
-//! Source: `docs/povray/command-line.md`, sections 1 and 2.
+//! Source: command line facts, sections 1 and 2.
 
 /// The words of a line: cut at blanks outside of quotation marks, which are taken off.
 pub(super) fn words(line: &str) -> Vec<String> {
