@@ -92,8 +92,9 @@ mod tests {
         for method in methods {
             let encoding = Encoding { dither: Some(method), curve: Curve::Power(1.0), bits: 5, ..Encoding::default() };
             let values = Quantised::new(&picture, Channels::Rgb, 5, &encoding).values;
+            // Thresholds of POV-Ray are too high by half of one in n² on the whole.
             let mean = values.iter().map(|v| f64::from(*v)).sum::<f64>() / values.len() as f64;
-            assert!((mean - 15.5).abs() < 0.1 && values.iter().any(|v| *v != values[0]), "{method:?} {mean}");
+            assert!((mean - 15.5).abs() <= 0.25 && values.iter().any(|v| *v != values[0]), "{method:?} {mean}");
         }
     }
 }

@@ -14,7 +14,6 @@ use std::sync::{Mutex, PoisonError};
 pub(super) struct Streams {
     consoles: [bool; 6],
     files: [Option<Mutex<File>>; 6],
-    warns: bool,
 }
 
 impl Streams {
@@ -34,7 +33,7 @@ impl Streams {
         }
         let all = settings.stream(Sort::All).console;
         let consoles = std::array::from_fn(|i| all && settings.streams[i].console);
-        Ok(Self { consoles, files, warns: settings.warns })
+        Ok(Self { consoles, files })
     }
 
     fn tell(&self, Said { sort, console, file }: &Said) {
@@ -108,7 +107,6 @@ impl<'s> Console<'s> {
         for diagnostic in diagnostics {
             let (sort, word) = match diagnostic.severity {
                 Severity::Error => (Sort::Fatal, "Parse Error"),
-                Severity::Warning if !self.streams.warns => continue,
                 Severity::Warning => (Sort::Warning, "Parse Warning"),
             };
             let mut console = format!("{}{word}: {}\n", place(diagnostic, &sources), diagnostic.message);

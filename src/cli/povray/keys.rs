@@ -36,7 +36,7 @@ use Takes::{Bool, Gamma, Name, Real, Whole, Word};
 
 /// All keys, by name.
 #[rustfmt::skip]
-pub(super) const KEYS: &[Key] = &[
+pub(super) static KEYS: &[Key] = &[
     work("All_Console", Bool, |s, v| set(&mut s.streams[Sort::All as usize].console, v.on())),
     work("All_File", Name, |s, v| stream_file(s, Sort::All, v)),
     work("Antialias", Bool, |s, v| set(&mut s.antialias, v.on())),
@@ -80,6 +80,7 @@ pub(super) const KEYS: &[Key] = &[
     work("Height", Whole, |s, v| set(&mut s.size[1], v.whole())),
     ignore("High_Reproducibility", Bool),
     work("Include_Header", Name, |s, v| set(&mut s.header, Some(v.text().into()))),
+    // Read where it stands, by the reader.
     ignore("Include_Ini", Name),
     work("Initial_Clock", Real, |s, v| set(&mut s.initial_clock, v.real())),
     work("Initial_Frame", Whole, |s, v| set(&mut s.initial_frame, Some(v.whole()))),
@@ -138,7 +139,7 @@ pub(super) const KEYS: &[Key] = &[
     ignore("Vista_Buffer", Bool),
     work("Warning_Console", Bool, |s, v| set(&mut s.streams[Sort::Warning as usize].console, v.on())),
     work("Warning_File", Name, |s, v| stream_file(s, Sort::Warning, v)),
-    work("Warning_Level", Whole, |s, v| set(&mut s.warns, v.whole() > 0)),
+    ignore("Warning_Level", Whole),
     work("Width", Whole, |s, v| set(&mut s.size[0], v.whole())),
     work("Work_Threads", Whole, threads),
 ];

@@ -107,6 +107,9 @@ impl Reader {
             let hint = known.map(|name| format!("did you mean {name}?"));
             return Err(self.refusal(word, format!("there is no option '{name}'"), hint));
         };
+        if key.name == "Include_Ini" {
+            return self.named_file(value);
+        }
         let value =
             key.takes.value(value).map_err(|reason| self.refusal(word, format!("{}: {reason}", key.name), None))?;
         match key.action {

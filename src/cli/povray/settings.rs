@@ -49,7 +49,6 @@ pub(super) struct Settings {
     pub(super) streams: [Stream; 6],
     pub(super) appends: bool,
     pub(super) verbose: bool,
-    pub(super) warns: bool,
     pub(super) threads: i64,
 }
 
@@ -119,7 +118,6 @@ impl Default for Settings {
             streams: std::array::from_fn(|_| Stream { console: true, file: None }),
             appends: false,
             verbose: false,
-            warns: true,
             threads: 0,
         }
     }
