@@ -93,7 +93,7 @@ pub(super) static KEYS: &[Key] = &[
     note("Odd_Field", Bool, FIELDS),
     work("Output_Alpha", Bool, |s, v| set(&mut s.alpha, v.on())),
     work("Output_File_Name", Name, |s, v| set(&mut s.output, Some(v.text().into()))),
-    work("Output_File_Type", Word, |s, v| file_kind(s, v)),
+    work("Output_File_Type", Word, file_kind),
     work("Output_To_File", Bool, |s, v| set(&mut s.to_file, v.on())),
     ignore("Palette", Word),
     ignore("Pause_When_Done", Bool),
