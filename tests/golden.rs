@@ -73,7 +73,7 @@ fn compare(scene: &Path, recipe: &Recipe, name: &str) -> Result<(), Failed> {
     let reading = eval::Options { include_dirs: vec![INSTALLED.into()], ..eval::Options::default() };
     let reach = Reach { scene: scene.to_owned(), include: reading.include_dirs.clone(), ..Reach::default() };
     let host = Disk::new(&reach, |_, _| {});
-    let job = Job { scene: scene.to_owned(), reading, rendering: options(recipe)?, outputs: Vec::new() };
+    let job = Job { scene: scene.to_owned(), reading, rendering: options(recipe)?, ..Job::default() };
     let outcome = Session::new(0)
         .render(&job, &host, &Unobserved)
         .map_err(|failed| failed.diagnostics.iter().map(|d| format!("{}\n", d.message)).collect::<String>())?;

@@ -4,7 +4,7 @@ use super::picture_files::Files;
 use super::progress::{Bar, end_on_interrupt, progress_bar, stop_on_interrupt};
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, fail, frames, messages};
-use crate::imaging::FileKind;
+use crate::imaging::{FileKind, check_writable};
 use crate::job::{Earlier, Job, Keeping, Outcome, Output, Session};
 use crate::render::{Antialias, End, ImageLayer, Method, Options, Progress, Region, Target};
 use std::io::IsTerminal;
@@ -239,6 +239,10 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let window = options.window();
     if options.region.is_some_and(|region| region != window) {
         return fail(format_args!("--region reaches beyond the picture of {} x {}", options.width, options.height));
+    }
+    // What cannot be written is better known before than after hours of work.
+    if let Some(error) = outputs.iter().find_map(|output| check_writable(&output.file).err()) {
+        return fail(error);
     }
     if !options.layers.is_empty() && outputs[0].kind != FileKind::Exr {
         return fail(format_args!("{}: only EXR files have layers", outputs[0].file.display()));

@@ -46,6 +46,22 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), ImageError> {
     Ok(())
 }
 
+/// Finds out whether a file could be written, without touching it.
+///
+/// # Errors
+/// [`ImageError::Io`] naming `path`, as [`write_whole`] would have it.
+pub fn check_writable(path: &Path) -> Result<(), ImageError> {
+    if path == Path::new("-") || path.metadata().is_ok_and(|m| !m.is_file() && !m.is_dir()) {
+        return Ok(());
+    }
+    let tried = if path.is_dir() {
+        Err(std::io::ErrorKind::IsADirectory.into())
+    } else {
+        tempfile::tempfile_in(folder_of(path)).map(drop)
+    };
+    tried.map_err(|error| ImageError::Io(path.to_owned(), error))
+}
+
 /// How the names begin under which a file is written before it is whole; the number of the process follows.
 fn left_by_others(path: &Path) -> String {
     format!(".{}.whitted-", path.file_name().unwrap_or_default().to_string_lossy())

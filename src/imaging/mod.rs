@@ -28,7 +28,7 @@ mod quantise;
 mod save;
 mod transfer;
 
-pub use atomic::{pause_writing, sweep, write_whole};
+pub use atomic::{check_writable, pause_writing, sweep, write_whole};
 pub use cryptomatte::cryptomatte;
 pub use decode::{Encoded, Pixels, Samples, decode};
 pub use encoding::{Curve, Dither, Encoding, FileKind};
@@ -38,6 +38,6 @@ pub use flip::flip;
 pub use heatmap::heatmap;
 pub use mark::{MARK, mark_of};
 pub use metrics::{Difference, Verdict, Worst, compare};
-pub use picture::{Layer, Metadata, Picture};
+pub use picture::{Layer, Metadata, Picture, Projection};
 pub use save::{encode_png, save, save_as};
 pub use transfer::{linear_from_srgb, srgb_from_linear};

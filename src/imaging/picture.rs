@@ -39,12 +39,25 @@ pub struct Metadata {
     pub scene: String,
     /// The camera in words.
     pub camera: String,
+    /// From world space to the camera's and to the picture's, where a matrix can say it.
+    pub projection: Option<Projection>,
     /// Rays shot, shadow rays included.
     pub rays: u64,
     /// Further figures of what was done, under names as `whitted:cameraRays`.
     pub figures: Vec<(String, f64)>,
     /// Further words, by name.
     pub notes: Vec<(&'static str, String)>,
+}
+
+/// How points of the world come into the picture: rows of matrices that stand behind a row of coordinates.
+///
+/// Source: OpenEXR, "Standard Attributes", worldToCamera and worldToNDC.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// To camera space: x to the right, y up, z ahead.
+    pub camera_from_world: [f32; 16],
+    /// To the picture: 0,0 in its upper left corner, 1,1 in its lower right one.
+    pub picture_from_world: [f32; 16],
 }
 
 impl Picture {

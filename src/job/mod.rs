@@ -7,6 +7,7 @@ mod animation;
 mod identity;
 mod library;
 mod outcome;
+mod projection;
 mod sequence;
 mod session;
 mod settings;

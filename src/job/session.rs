@@ -2,6 +2,7 @@
 
 use super::identity::Noting;
 use super::library::{Library, Remembering};
+use super::projection::projection;
 use super::state::{self, Earlier, State};
 use super::{Identity, Job, Keeping, Outcome, Output, Ready, Timings};
 use crate::compile::geometry::Watched;
@@ -99,11 +100,16 @@ impl Session {
         let keeping = state.as_ref().map(|state| state::Keeping { observer, state });
         let observer = keeping.as_ref().map_or(observer, |keeping| keeping as &dyn Observer);
         let rendered = timings.time("render", || self.picture(&world, &options, observer));
+        if let Some(state) = state.as_ref().filter(|_| !rendered.complete) {
+            // What cannot be kept is made again.
+            let _ = state.flush();
+        }
         warnings.extend(watched.iter().filter_map(Watched::warning));
         let metadata = Metadata {
             software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
             scene: job.scene.display().to_string(),
             camera: describe(&world.camera),
+            projection: projection(&world.camera),
             rays: rendered.statistics.rays(),
             figures: figures(&rendered, job.rendering.target.as_ref()),
             notes: notes(&rendered, identity),

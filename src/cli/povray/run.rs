@@ -9,7 +9,7 @@ use super::{CANCELLED, FAILED, created_ini, frames, names, report};
 use crate::cli::messages::line;
 use crate::cli::{include_dirs, scene_arguments::days_since_2000};
 use crate::eval::{self, Disk, Reach};
-use crate::imaging::{pause_writing, write_whole};
+use crate::imaging::{check_writable, pause_writing, write_whole};
 use crate::job::{Animation, Earlier, Job, Keeping, Outcome, Output, Ready, Session, measured_in_order, single};
 use crate::render::Options;
 use std::io::{Read as _, Write as _};
@@ -78,9 +78,11 @@ impl<'r> Run<'r> {
             )
         })?;
         let (animation, frames) = frames::frames(settings).map_or((None, vec![0]), |(a, frames)| (Some(a), frames));
-        let folder = folder_of(&names::picture(settings, None));
-        if settings.to_file && !folder.is_dir() {
-            return Err(format!("Cannot create render state output file.\nThere is no folder '{}'.", folder.display()));
+        // What cannot be written is better known before than after hours of work.
+        if settings.to_file {
+            let number = animation.map(|animation| (frames[0], animation.digits()));
+            check_writable(&names::picture(settings, number))
+                .map_err(|error| format!("Cannot create render state output file.\n{error}"))?;
         }
         if settings.continues && settings.to_file && settings.output.as_deref().is_some_and(names::is_standard_output) {
             return Err("Cannot continue trace if output to STDOUT or STDERR is specified.".into());
