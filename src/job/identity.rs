@@ -40,19 +40,23 @@ impl Identity {
     }
 }
 
-/// Two hashes over the same bytes that have nothing else in common.
+/// Two numbers that all bytes so far have had a hand in.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Digest([u64; 2]);
 
 impl Digest {
+    /// One pass over the bytes: files may be large.
     fn add(&mut self, bytes: &[u8]) {
         /// Tells the two apart; any numbers do.
         const SEEDS: [u64; 2] = [0x9e37_79b9_7f4a_7c15, 0xc2b2_ae3d_27d4_eb4f];
+        let mut hasher = FxHasher::default();
+        hasher.write(bytes);
+        let (whole, length) = (hasher.finish(), bytes.len());
         for (hash, seed) in self.0.iter_mut().zip(SEEDS) {
             let mut hasher = FxHasher::default();
             hasher.write_u64(*hash ^ seed);
-            hasher.write_usize(bytes.len());
-            hasher.write(bytes);
+            hasher.write_u64(whole);
+            hasher.write_usize(length);
             *hash = hasher.finish();
         }
     }

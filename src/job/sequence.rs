@@ -9,7 +9,7 @@ const STACK: usize = 256 << 20;
 
 /// Does pieces of work 0 to n, one at a time until one says how many of its like keep all cores busy, then so many.
 ///
-/// `work` is told whether it is the only one at work; results come to `done` as in [`in_order`].
+/// `work` is told whether it is the only one at work; results come to `done` in order, on this thread.
 pub fn measured_in_order<T: Send>(
     n: usize,
     work: impl Fn(usize, bool) -> (T, Option<usize>) + Sync,
