@@ -4,7 +4,7 @@ use super::progress::{Bar, end_on_interrupt, progress_bar};
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, messages};
 use crate::diag::{Diagnostic, SourceMap};
-use crate::job::{Animation, Job, Keeping, Session, measured_in_order};
+use crate::job::{Animation, Exposure, Job, Keeping, Session, measured_in_order};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -17,6 +17,12 @@ pub(super) struct Frames {
     /// Values of `clock` in the first and in the last frame [default: 0,1]
     #[arg(long, value_name = "FROM,TO", value_parser = clocks, requires = "frames")]
     clocks: Option<(f64, f64)>,
+    /// Part of the time from frame to frame that the shutter is open: blurs what moves
+    #[arg(long, value_name = "PART", value_parser = super::render::positive, requires = "samples")]
+    shutter: Option<f64>,
+    /// Pictures whose mean a frame is while the shutter is open
+    #[arg(long, value_name = "N", requires = "shutter", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    samples: Option<u32>,
     /// The last frame is followed by the first: its clock stops one step before TO
     #[arg(long, requires = "frames")]
     cyclic: bool,
@@ -44,6 +50,16 @@ impl Frames {
         let (initial_frame, final_frame) = self.frames?;
         let (initial_clock, final_clock) = self.clocks.unwrap_or((0.0, 1.0));
         Some(Animation { initial_frame, final_frame, initial_clock, final_clock, cyclic: self.cyclic })
+    }
+}
+
+impl Frames {
+    /// How long each frame of the animation is exposed.
+    pub(super) fn exposure(&self, animation: &Animation) -> Exposure {
+        match (self.shutter, self.samples) {
+            (Some(shutter), Some(samples)) => Exposure { span: shutter * animation.clock_delta(), samples },
+            _ => Exposure::default(),
+        }
     }
 }
 
@@ -104,7 +120,15 @@ fn frame(
         return (told(ready.warnings, ready.sources, None), None);
     }
     let bar = Bar { bar: indicatif::ProgressBar::hidden(), stopped: None };
-    let mut outcome = session.develop(&job, ready, &bar);
+    let developed = if job.exposure.is_a_moment() {
+        Ok(session.develop(&job, ready, &bar))
+    } else {
+        session.expose(&job, &scene.host(), &bar)
+    };
+    let mut outcome = match developed {
+        Ok(outcome) => outcome,
+        Err(failed) => return (told(failed.diagnostics, failed.sources, Some("the scene has errors".into())), None),
+    };
     let failure = session.write(&mut outcome, &job.outputs).err().map(|error| error.to_string());
     let at_once = outcome.at_once(session.threads(), &job);
     (told(outcome.warnings, outcome.sources, failure), Some(at_once))

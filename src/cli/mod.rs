@@ -134,7 +134,10 @@ mod tests {
         check("whitted render a.pov --antialias 1,0.3,3 --output b.exr", true);
         check("whitted render a.pov --antialias 3,0.3,3", false);
         check("whitted render a.pov --antialias 1,0.3,30", false);
-        check("whitted render a.pov --frames 1-10 --clocks 0,2 --cyclic --resume --bits 16 --format png", true);
+        check(
+            "whitted render a.pov --frames 1-10 --clocks 0,2 --cyclic --shutter 0.5 --samples 8 --resume --bits 16 --format png",
+            true,
+        );
         check("whitted render a.pov --frames 3-2", false);
         check("whitted render a.pov --clocks 0,2", false);
         check("whitted render a.pov --bits 4", false);

@@ -5,7 +5,7 @@ use super::progress::{Bar, end_on_interrupt, progress_bar, stop_on_interrupt};
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, fail, frames, messages};
 use crate::imaging::{FileKind, check_writable};
-use crate::job::{Earlier, Job, Keeping, Outcome, Output, Session};
+use crate::job::{Earlier, Exposure, Job, Keeping, Outcome, Output, Session};
 use crate::render::{Antialias, End, ImageLayer, Method, Options, Progress, Region, Target};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -72,7 +72,7 @@ pub(super) struct Arguments {
     #[arg(long, value_parser = layers, value_name = "LIST")]
     layers: Option<Layers>,
     /// Go on with a picture, or with the frames of an animation, where an interrupted run has left off: what is finished
-    /// is kept in NAME.whitted-state, and taken if it belongs to the same picture
+    /// is kept in OUTPUT.whitted-state, and taken if it belongs to the same picture
     #[arg(long, conflicts_with_all = ["target_error", "time_budget", "rounds"])]
     resume: bool,
     #[command(flatten)]
@@ -247,14 +247,17 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     if !options.layers.is_empty() && outputs[0].kind != FileKind::Exr {
         return fail(format_args!("{}: only EXR files have layers", outputs[0].file.display()));
     }
+    let animation = arguments.animation.animation();
+    let exposure = animation.map_or_else(Exposure::default, |animation| arguments.animation.exposure(&animation));
     let job = Job {
         scene: arguments.scene.scene.clone(),
         reading: arguments.scene.reading(options.width, options.height),
         rendering: options.clone(),
         outputs,
+        exposure,
         keeping: if arguments.resume { Keeping::Resuming } else { Keeping::New },
     };
-    if let Some(animation) = arguments.animation.animation() {
+    if let Some(animation) = animation {
         return frames::run(&arguments.scene, &job, &animation, arguments.threads);
     }
     let session = Session::new(arguments.threads);

@@ -32,7 +32,8 @@ impl Identity {
     pub(super) fn new(job: &Job, digest: &Digest) -> Self {
         let reading = eval::Options { now: 0.0, ..job.reading.clone() };
         let files: Vec<_> = job.outputs.iter().map(|output| (output.kind, output.encoding)).collect();
-        let said = format!("{} {reading:?} {:?} {files:?}", env!("CARGO_PKG_VERSION"), job.rendering);
+        let said =
+            format!("{} {reading:?} {:?} {:?} {files:?}", env!("CARGO_PKG_VERSION"), job.rendering, job.exposure);
         let mut digest = *digest;
         digest.add(said.as_bytes());
         let [low, high] = digest.0.map(u128::from);

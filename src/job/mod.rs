@@ -4,6 +4,7 @@
 //! of all, and takes them through the stages: read, compile, render, write.
 
 mod animation;
+mod exposure;
 mod identity;
 mod library;
 mod outcome;
@@ -15,6 +16,7 @@ mod shelf;
 mod state;
 
 pub use animation::{Animation, single, six_digits};
+pub use exposure::Exposure;
 pub use identity::Identity;
 pub use outcome::{Outcome, Ready, Timings};
 pub use sequence::measured_in_order;

@@ -1,5 +1,6 @@
 //! What several pictures share, and the way of each through the stages.
 
+use super::exposure::Mean;
 use super::identity::Noting;
 use super::library::{Library, Remembering};
 use super::projection::projection;
@@ -117,6 +118,27 @@ impl Session {
         let Rendered { picture, complete, progress, .. } = rendered;
         let display_values = world.settings.display_values;
         Outcome { picture, metadata, display_values, complete, progress, warnings, sources, timings, earlier, state }
+    }
+
+    /// From a scene file to the mean of pictures at the moments of the job's exposure, in linear light.
+    ///
+    /// # Errors
+    /// Those of [`compile`](Self::compile), of the first moment that has any.
+    pub fn expose(&self, job: &Job, host: &dyn Host, observer: &dyn Observer) -> Result<Outcome, Box<Failed>> {
+        let moment = |clock: f64| -> Result<(Outcome, Identity), Box<Failed>> {
+            let mut moment = Job { keeping: Keeping::Nothing, ..job.clone() };
+            moment.reading.clock = clock;
+            let ready = self.compile(&moment.scene, &moment.reading, host)?;
+            let identity = Identity::new(job, &ready.digest);
+            Ok((self.develop(&moment, ready, observer), identity))
+        };
+        let mut clocks = job.exposure.clocks(job.reading.clock);
+        let (first, identity) = moment(clocks.next().unwrap_or(job.reading.clock))?;
+        let mut mean = Mean::new(first, identity);
+        for clock in clocks {
+            mean.add(moment(clock)?.0);
+        }
+        Ok(mean.outcome())
     }
 
     /// Writes a picture's files, each whole or not at all.

@@ -1,5 +1,6 @@
 //! Everything that a picture depends on.
 
+use super::Exposure;
 use crate::eval;
 use crate::imaging::{Encoding, FileKind};
 use crate::render;
@@ -16,6 +17,8 @@ pub struct Job {
     pub rendering: render::Options,
     /// Files that are written, in order.
     pub outputs: Vec<Output>,
+    /// When it is taken.
+    pub exposure: Exposure,
     /// Whether finished pieces are kept beside the first output while the picture is made.
     pub keeping: Keeping,
 }

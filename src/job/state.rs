@@ -46,7 +46,7 @@ struct Journal {
 
 /// The state file of a picture.
 pub(super) fn state_file(picture: &Path) -> PathBuf {
-    let mut name = picture.with_extension("").into_os_string();
+    let mut name = picture.as_os_str().to_owned();
     name.push(".whitted-state");
     name.into()
 }

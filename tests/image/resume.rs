@@ -82,7 +82,7 @@ fn made(job: &Job, text: &str, observer: &dyn Observer) -> Earlier {
 fn files_are_the_same_after_an_interruption() {
     let folder = tempfile::tempdir().expect("a folder");
     let (new, resuming) = (job(folder.path(), Keeping::New), job(folder.path(), Keeping::Resuming));
-    let (file, state) = (folder.path().join("a.exr"), folder.path().join("a.whitted-state"));
+    let (file, state) = (folder.path().join("a.exr"), folder.path().join("a.exr.whitted-state"));
     made(&new, SCENE, &Unobserved);
     let expected = std::fs::read(&file).expect("a picture");
     std::fs::remove_file(&file).expect("a picture");
