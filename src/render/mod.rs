@@ -38,8 +38,9 @@ mod vertex;
 mod work;
 mod worker;
 
+pub use film::BLOCK;
 pub use image_layer::ImageLayer;
-pub use observer::{FinishedBlock, Observer, Unobserved};
+pub use observer::{FinishedBlock, Observer, Piece, Place, Unobserved};
 pub use options::{Antialias, Method, Options, Region, Target};
 pub use picture::{Rendered, render};
 pub use progressive::{Accuracy, End, Progress};
