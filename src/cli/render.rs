@@ -4,7 +4,7 @@ use super::scene_arguments::SceneArguments;
 use super::{ERROR, explain, fail, messages};
 use crate::imaging::{Encoding, FileKind};
 use crate::job::{Job, Outcome, Output, Session};
-use crate::render::{Antialias, End, ImageLayer, Method, Observer, Options, Progress, Region, Target};
+use crate::render::{Antialias, End, ImageLayer, Method, Observer, Options, Progress, Region, Stage, Target};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -239,7 +239,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         outputs: std::iter::once(output).chain(preview).map(|file| Output { file, encoding }).collect(),
     };
     let session = Session::new(arguments.threads);
-    let bar = progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left");
+    let bar = progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left  {msg}");
     let bar = Bar { bar, stopped: job.rendering.target.as_ref().map(|_| stop_on_interrupt()) };
     let result = session.render(&job, &arguments.scene.host(), &bar);
     bar.bar.finish_and_clear();
@@ -305,6 +305,13 @@ struct Bar {
 }
 
 impl Observer for Bar {
+    fn entered(&self, stage: Stage) {
+        self.bar.set_message(match stage {
+            Stage::Radiosity => "radiosity",
+            Stage::Picture => "picture",
+        });
+    }
+
     fn advanced(&self, done: usize, of: usize) {
         self.bar.set_length(of as u64);
         self.bar.set_position(done as u64);

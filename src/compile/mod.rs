@@ -5,6 +5,7 @@ mod function;
 pub mod geometry;
 mod light;
 mod picture;
+mod radiosity;
 mod queries;
 pub mod texture;
 mod world;

@@ -9,6 +9,8 @@ pub struct Statistics {
     pub transmitted_rays: u64,
     /// Mirrored rays.
     pub reflected_rays: u64,
+    /// Rays that gather light for radiosity.
+    pub sample_rays: u64,
     /// Rays towards lights, each piece between transparent surfaces.
     pub shadow_rays: u64,
     /// Rays towards lights that were not sent, because the surface is turned away or the light does not reach it.
@@ -18,7 +20,7 @@ pub struct Statistics {
 impl Statistics {
     /// All rays that were sent.
     pub fn rays(&self) -> u64 {
-        self.camera_rays + self.transmitted_rays + self.reflected_rays + self.shadow_rays
+        self.camera_rays + self.transmitted_rays + self.reflected_rays + self.sample_rays + self.shadow_rays
     }
 
     /// Sums of both.
@@ -28,6 +30,7 @@ impl Statistics {
             camera_rays: self.camera_rays + other.camera_rays,
             transmitted_rays: self.transmitted_rays + other.transmitted_rays,
             reflected_rays: self.reflected_rays + other.reflected_rays,
+            sample_rays: self.sample_rays + other.sample_rays,
             shadow_rays: self.shadow_rays + other.shadow_rays,
             spared_shadow_rays: self.spared_shadow_rays + other.spared_shadow_rays,
         }

@@ -12,6 +12,8 @@ pub struct Finish {
     pub diffuse: f32,
     /// Diffuse amount seen from the far side of the light.
     pub diffuse_back: f32,
+    /// Diffuse amount before `albedo` scales it: how much of radiosity's light is sent back.
+    pub raw_diffuse: f32,
     /// Exponent of the diffuse cosine.
     pub brilliance: f64,
     /// Random grain.
