@@ -5,8 +5,8 @@ mod function;
 pub mod geometry;
 mod light;
 mod picture;
-mod radiosity;
 mod queries;
+mod radiosity;
 pub mod texture;
 mod world;
 

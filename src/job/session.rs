@@ -46,7 +46,9 @@ impl Session {
         let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(&functions)));
         let Evaluated { scene: description, mut warnings, mut sources } = read?;
         sources.release_large();
-        match timings.time("compile", || self.on_all_threads(|| compile::compile_with(&description, &functions, reading.keep))) {
+        match timings
+            .time("compile", || self.on_all_threads(|| compile::compile_with(&description, &functions, reading.keep)))
+        {
             Ok(Compiled { world, warnings: more, watched, ledger }) => {
                 warnings.extend(more);
                 Ok(Ready { world, watched, ledger, warnings, sources, timings })

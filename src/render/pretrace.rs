@@ -56,7 +56,7 @@ pub(super) fn pretrace(prepared: &mut Prepared<'_>, observer: &dyn Observer) -> 
             }
             let shared: &Prepared<'_> = prepared;
             let one = |worker: &mut Worker<'_>, (k, i): (usize, &usize)| {
-                let starts: Vec<u32> = first.iter().map(|next| next + APART * k as u32).collect();
+                let starts: Vec<u32> = first.iter().map(|next| next.wrapping_add(APART * k as u32)).collect();
                 look_over(worker, pass, (&blocks[*i], *i), &starts)
             };
             let wave_of = wave.par_iter().enumerate().map_init(|| Worker::new(shared), |w, (k, i)| one(w, (k, i)));

@@ -20,7 +20,12 @@ pub(super) struct Worker<'w> {
 
 impl<'w> Worker<'w> {
     pub(super) fn new(prepared: &'w Prepared<'w>) -> Self {
-        Self { prepared, scratch: Scratch::default(), statistics: Statistics::default(), gathering: Gathering::default() }
+        Self {
+            prepared,
+            scratch: Scratch::default(),
+            statistics: Statistics::default(),
+            gathering: Gathering::default(),
+        }
     }
 
     pub(super) fn world(&self) -> &'w World {

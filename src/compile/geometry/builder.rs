@@ -194,7 +194,9 @@ impl<'a> Builder<'a> {
             (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, id),
             _ => ItemKind::Primitive(id),
         };
-        if !inside.hidden_from().is_all(self.with_radiosity) || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>()) {
+        if !inside.hidden_from().is_all(self.with_radiosity)
+            || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
+        {
             items.push(Item { kind, hidden_from: inside.hidden_from() }, &primitive.bounds());
         }
     }
@@ -207,7 +209,8 @@ impl<'a> Builder<'a> {
             self.link(root);
             let node = &self.geometry.nodes[root];
             let hidden_from = node.hidden_from;
-            if hidden_from.is_all(self.with_radiosity) && self.ledger.omits(Omission::HiddenObjects, size_of::<Item>()) {
+            if hidden_from.is_all(self.with_radiosity) && self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
+            {
                 return;
             }
             let mut bounds = node.bounds;
@@ -300,7 +303,9 @@ impl<'a> Builder<'a> {
         let parent_from_group = inside.group_from_parent;
         let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group].bounds));
         let instance = self.geometry.instances.push(Instance { group: shared.group, parent_from_group, appearance });
-        if !inside.hidden_from().is_all(self.with_radiosity) || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>()) {
+        if !inside.hidden_from().is_all(self.with_radiosity)
+            || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
+        {
             items.push(Item { kind: ItemKind::Instance(instance), hidden_from: inside.hidden_from() }, &bounds);
         }
         true

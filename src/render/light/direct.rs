@@ -60,7 +60,8 @@ pub(in crate::render) fn direct_light(
             arriving.entries.push(Entry { arrival, unblocked: None });
         }
         let Entry { arrival, unblocked } = arriving.entries[order];
-        let sampled = light.area.as_ref().filter(|a| a.illumination && vertex.path.bounce == 0 && worker.options().area_lights());
+        let sampled =
+            light.area.as_ref().filter(|a| a.illumination && vertex.path.bounce == 0 && worker.options().area_lights());
         let beam = lit_side(vertex, layer, index, light, arrival.direction);
         let is_spent = light.is_spent(arrival.color);
         let is_asked = world.features.kept.holds(Omission::SpentLights);

@@ -38,7 +38,9 @@ pub(super) fn light_through(
     let casts = !light.shadowless && options.shadows();
     let mut from = |direction, distance| arriving(worker, vertex, (index, light), direction, distance, color);
     match &light.area {
-        Some(area) if casts && options.area_lights() && vertex.path.bounce == 0 => Grid::new(vertex, index, light, area, from).mean(),
+        Some(area) if casts && options.area_lights() && vertex.path.bounce == 0 => {
+            Grid::new(vertex, index, light, area, from).mean()
+        }
         _ => from(arrival.direction, arrival.distance),
     }
 }

@@ -12,23 +12,31 @@ const UPRIGHT: f64 = 0.999;
 const NEAR_Z: f64 = 0.9;
 
 /// Cosine-weighted directions about the y axis that follow each other evenly: whatever is taken in turn is spread well.
-#[derive(Clone, Debug, Default)]
-pub(in crate::render) struct Directions(Vec<DVec3>);
+#[derive(Debug)]
+pub(in crate::render) struct Directions {
+    n: u32,
+    /// The first of them.
+    known: Vec<DVec3>,
+}
+
+/// How many directions are worked out once; what scenes have beyond is worked out each time.
+const MOST_KNOWN: u32 = 1 << 14;
 
 impl Directions {
     /// So many, from the Halton sequence.
     pub(in crate::render) fn new(n: u32) -> Self {
-        Self((1..=n).map(direction).collect())
+        Self { n, known: (1..=n.min(MOST_KNOWN)).map(direction).collect() }
     }
 
     /// Number `i`, and so on from the start.
     pub(in crate::render) fn get(&self, i: u32) -> DVec3 {
-        self.0[i as usize % self.0.len()]
+        let i = i % self.n;
+        self.known.get(i as usize).copied().unwrap_or_else(|| direction(i + 1))
     }
 
     /// How many there are before they start again.
     pub(in crate::render) fn len(&self) -> u32 {
-        self.0.len() as u32
+        self.n
     }
 }
 

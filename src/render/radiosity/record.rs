@@ -70,19 +70,24 @@ impl Blend {
     }
 }
 
+impl Question {
+    /// Whether a record with that mean distance is near enough to say anything.
+    #[inline]
+    pub(in crate::render) fn is_within(&self, point: DVec3, mean_distance: f32) -> bool {
+        (self.point - point).length_squared() < (f64::from(mean_distance) * self.error).powi(2)
+    }
+}
+
 impl Record {
     /// How much the record says about another place; `None` for nothing.
     #[inline]
     pub(in crate::render) fn weight(&self, asked: &Question) -> Option<f64> {
         let shift = asked.point - self.point;
-        let mean = f64::from(self.mean_distance);
-        let square = shift.length_squared();
-        // Also false for NaN.
-        let is_near = square < (mean * asked.error).powi(2);
-        if !is_near {
+        if !asked.is_within(self.point, self.mean_distance) {
             return None;
         }
-        let distance = square.sqrt();
+        let mean = f64::from(self.mean_distance);
+        let distance = shift.length();
         let is_apart = distance > SAME_POINT;
         let mut reach = mean;
         if is_apart {

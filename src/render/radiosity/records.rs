@@ -34,7 +34,16 @@ struct Depth {
     /// Exponents of cell sizes in use, in order.
     sizes: SmallVec<[i32; 16]>,
     /// Records by size and cell. That a number may stand for two cells does no harm: distance decides.
-    cells: FxHashMap<u64, SmallVec<[u32; 4]>>,
+    cells: FxHashMap<u64, Vec<Entry>>,
+}
+
+/// What decides most often that a record does not count, where it is looked for.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    point: DVec3,
+    mean_distance: f32,
+    /// Among the records.
+    index: u32,
 }
 
 impl Records {
@@ -68,14 +77,15 @@ impl Records {
 impl Depth {
     fn add(&mut self, record: Record, reach: f64) {
         let index = self.records.len() as u32;
+        let entry = Entry { point: record.point, mean_distance: record.mean_distance, index };
         let size = box_size(record.point, reach);
         if let Err(at) = self.sizes.binary_search(&size) {
             self.sizes.insert(at, size);
         }
         let cell = cell_of(record.point, size);
         for corner in 0..8 {
-            let part = [0, 1, 2].map(|axis| cell[axis] + (corner >> axis & 1));
-            self.cells.entry(key(size, part)).or_default().push(index);
+            let part = [0, 1, 2].map(|axis| cell[axis].wrapping_add(corner >> axis & 1));
+            self.cells.entry(key(size, part)).or_default().push(entry);
         }
         self.records.push(record);
     }
@@ -84,8 +94,11 @@ impl Depth {
         for size in &self.sizes {
             let half = 0.5 * f64::from(*size).exp2();
             let part = cell_of(asked.point + DVec3::splat(half), *size);
-            for index in self.cells.get(&key(*size, part)).into_iter().flatten() {
-                let record = &self.records[*index as usize];
+            for entry in self.cells.get(&key(*size, part)).into_iter().flatten() {
+                if !asked.is_within(entry.point, entry.mean_distance) {
+                    continue;
+                }
+                let record = &self.records[entry.index as usize];
                 if let Some(weight) = record.weight(asked) {
                     into.add(record.light, weight);
                 }
