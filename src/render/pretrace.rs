@@ -44,7 +44,7 @@ pub(super) fn pretrace(prepared: &mut Prepared<'_>, observer: &dyn Observer) -> 
     let passes = passes(radiosity.settings, width, height);
     let mut statistics = Statistics::default();
     let mut goes_on = vec![true; blocks.len()];
-    let mut first = vec![0; radiosity.settings.recursion_limit as usize];
+    let mut first = vec![0u32; radiosity.settings.recursion_limit as usize];
     for pass in passes.into_iter().map(Some).chain([None]) {
         if pass.is_none() {
             first.fill(0);
