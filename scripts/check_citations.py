@@ -20,6 +20,7 @@ PAGES = {
     "function": "functions.md",
     "camera": "camera-and-image.md",
     "camera and image": "camera-and-image.md",
+    "command line": "command-line.md",
     "shape": "shapes-analytic.md",
     "freeform": "shapes-freeform.md",
     "shading": "shading.md",

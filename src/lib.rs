@@ -2,8 +2,8 @@
 //!
 //! Data moves one way, and a module knows those before it in this list, never those behind it:
 //!
-//! 1. [`math`], [`diag`], [`imaging`], [`function`]: vectors and noise, places and messages, picture files, programs of
-//!    `function {}` blocks; all stand beside the way.
+//! 1. [`omission`], [`math`], [`diag`], [`imaging`], [`function`]: what may be left out, vectors and noise, places and
+//!    messages, picture files, programs of `function {}` blocks; all stand beside the way.
 //! 2. [`syntax`]: text to tokens, once for each file.
 //! 3. [`scene`]: what a file describes, as plain data in POV-Ray's words; [`eval`] runs the tokens and makes it.
 //! 4. [`compiled`]: what rays meet, in the field's words; [`compile`] makes it, and refuses what is wrong.

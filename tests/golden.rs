@@ -73,7 +73,7 @@ fn compare(scene: &Path, recipe: &Recipe, name: &str) -> Result<(), Failed> {
     let reading = eval::Options { include_dirs: vec![INSTALLED.into()], ..eval::Options::default() };
     let reach = Reach { scene: scene.to_owned(), include: reading.include_dirs.clone(), ..Reach::default() };
     let host = Disk::new(&reach, |_, _| {});
-    let job = Job { scene: scene.to_owned(), reading, rendering: options(recipe)?, outputs: Vec::new() };
+    let job = Job { scene: scene.to_owned(), reading, rendering: options(recipe)?, ..Job::default() };
     let outcome = Session::new(0)
         .render(&job, &host, &Unobserved)
         .map_err(|failed| failed.diagnostics.iter().map(|d| format!("{}\n", d.message)).collect::<String>())?;
@@ -86,9 +86,8 @@ fn compare(scene: &Path, recipe: &Recipe, name: &str) -> Result<(), Failed> {
     }
     let left = Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden").join(name);
     std::fs::create_dir_all(&left)?;
-    let save = |file: &str, picture| {
-        imaging::save(&left.join(file), picture, &Metadata::default(), Encoding { float: true, sixteen_bit: false })
-    };
+    let encoding = Encoding { float: true, ..Encoding::default() };
+    let save = |file: &str, picture| imaging::save(&left.join(file), picture, &Metadata::default(), &encoding);
     save("expected.png", &expected)?;
     save("actual.exr", &outcome.picture)?;
     save("actual.png", &outcome.picture)?;

@@ -42,8 +42,8 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         Err(error) => return fail(error),
     };
     if let Some(path) = &arguments.heatmap {
-        let encoding = Encoding { float: false, sixteen_bit: false };
-        let written = heatmap(&reference, &image).and_then(|map| save(path, &map, &Metadata::default(), encoding));
+        let encoding = Encoding::default();
+        let written = heatmap(&reference, &image).and_then(|map| save(path, &map, &Metadata::default(), &encoding));
         if let Err(error) = written {
             return fail(error);
         }

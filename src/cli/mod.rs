@@ -7,8 +7,12 @@ mod check;
 mod compare;
 mod dump;
 mod explain;
+mod frames;
 mod include_dirs;
 mod messages;
+mod picture_files;
+mod povray;
+mod progress;
 mod render;
 mod report;
 mod scene_arguments;
@@ -42,12 +46,18 @@ enum Command {
     Compare(compare::Arguments),
     /// Measure error against run time on ladders of settings, and show it on a page
     Report(report::Arguments),
+    /// Take POV-Ray's arguments, as a program called `povray` does
+    Povray(povray::Arguments),
     /// Drive scenes to extremes until pictures break, and print how far that is
     Stability(stability::Arguments),
 }
 
 /// Runs the program with the process's own arguments.
 pub fn run() -> ExitCode {
+    let mut given = std::env::args_os();
+    if given.next().is_some_and(|name| povray::is_called_povray(&name)) {
+        return povray::run_with(&given.collect::<Vec<_>>());
+    }
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
@@ -65,6 +75,7 @@ pub fn run() -> ExitCode {
         Command::Dump(arguments) => dump::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Povray(arguments) => povray::run(&arguments),
         Command::Stability(arguments) => stability::run(&arguments),
     }
 }
@@ -124,6 +135,14 @@ mod tests {
         check("whitted render a.pov --antialias 1,0.3,3 --output b.exr", true);
         check("whitted render a.pov --antialias 3,0.3,3", false);
         check("whitted render a.pov --antialias 1,0.3,30", false);
+        check(
+            "whitted render a.pov --frames 1-10 --clocks 0,2 --cyclic --shutter 0.5 --samples 8 --resume --bits 16 --format png",
+            true,
+        );
+        check("whitted render a.pov --frames 3-2", false);
+        check("whitted render a.pov --clocks 0,2", false);
+        check("whitted render a.pov --bits 4", false);
+        check("whitted povray +W8 -H6 --version a.pov", true);
         check("whitted render a.pov --width 0", false);
         check("whitted render", false);
         check("whitted compare a.exr b.exr --heatmap c.png", true);

@@ -1,16 +1,15 @@
 //! `whitted render`: a scene file in, a picture out.
 
+use super::picture_files::Files;
+use super::progress::{Bar, end_on_interrupt, progress_bar, stop_on_interrupt};
 use super::scene_arguments::SceneArguments;
-use super::{ERROR, explain, fail, messages};
-use crate::imaging::{Encoding, FileKind};
-use crate::job::{Job, Outcome, Output, Session};
-use crate::render::{Antialias, End, ImageLayer, Method, Observer, Options, Progress, Region, Stage, Target};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use super::{ERROR, explain, fail, frames, messages};
+use crate::imaging::{FileKind, check_writable};
+use crate::job::{Earlier, Exposure, Job, Keeping, Outcome, Output, Session};
+use crate::render::{Antialias, End, ImageLayer, Method, Options, Progress, Region, Target};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 /// The size that an installed POV-Ray's own settings give: 800 x 600.
@@ -21,7 +20,7 @@ pub(super) const DEFAULT_SIZE: (usize, usize) = (800, 600);
 pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Picture to write: .exr, .png, .ppm or .hdr, or - for EXR on standard output.
+    /// Picture to write: .exr, .png, .ppm, .tga, .bmp, .jpg or .hdr, or - for standard output.
     /// Without it, the scene's name with .exr, and a preview beside it
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -62,9 +61,8 @@ pub(super) struct Arguments {
     /// Write EXR colours in single instead of half precision
     #[arg(long)]
     float: bool,
-    /// Write PNG with 16 instead of 8 bits
-    #[arg(long)]
-    sixteen_bit: bool,
+    #[command(flatten)]
+    files: Files,
     /// Render a part of the picture: columns X0 to X1 and rows Y0 to Y1 from the upper left corner at 0,0,
     /// X1 and Y1 not included. Its pixels are those of the whole picture; an EXR file keeps its place
     #[arg(long, value_parser = region, value_name = "X0,Y0,X1,Y1")]
@@ -76,6 +74,12 @@ pub(super) struct Arguments {
     /// Say what the scene has, what of it is left out because the picture does not need it, and which rays it took
     #[arg(long)]
     explain: bool,
+    /// Go on with a picture, or with the frames of an animation, where an interrupted run has left off: what is finished
+    /// is kept in OUTPUT.whitted-state, and taken if it belongs to the same picture
+    #[arg(long, conflicts_with_all = ["target_error", "time_budget", "rounds"])]
+    resume: bool,
+    #[command(flatten)]
+    animation: frames::Frames,
     /// Say how long each stage took
     #[arg(long)]
     timings: bool,
@@ -93,7 +97,7 @@ struct Layers(Vec<ImageLayer>);
 #[derive(Clone, Debug)]
 struct Rounds(Vec<f64>);
 
-fn positive(text: &str) -> Result<f64, String> {
+pub(super) fn positive(text: &str) -> Result<f64, String> {
     let number: f64 = text.parse().map_err(|_| "expected a number")?;
     if number.is_finite() && number > 0.0 { Ok(number) } else { Err("must be above 0".into()) }
 }
@@ -197,8 +201,22 @@ impl Arguments {
         (error.is_some() || time.is_some() || rounds.is_some()).then_some(Target { error, time, seed, rounds })
     }
 
-    /// The picture's file, and that of its preview.
-    fn files(&self) -> (PathBuf, Option<PathBuf>) {
+    /// The picture's file, and that of its preview, or which of them has no kind.
+    fn outputs(&self) -> Result<Vec<Output>, String> {
+        let (output, preview) = self.named_files();
+        let encoding = self.files.encoding(self.float);
+        let unknown =
+            |file: &Path| format!("{}: unknown kind of picture: use {}", file.display(), FileKind::EXTENSIONS);
+        let kind = self.files.kind(&output).ok_or_else(|| unknown(&output))?;
+        let mut outputs = vec![Output { file: output, kind, encoding }];
+        if let Some(file) = preview {
+            let kind = FileKind::of(&file).ok_or_else(|| unknown(&file))?;
+            outputs.push(Output { file, kind, encoding });
+        }
+        Ok(outputs)
+    }
+
+    fn named_files(&self) -> (PathBuf, Option<PathBuf>) {
         let output = self.output.clone().unwrap_or_else(|| self.scene.scene.with_extension("exr"));
         let beside = || {
             let name = if output == Path::new("-") { &self.scene.scene } else { &output };
@@ -216,31 +234,45 @@ impl Arguments {
 
 /// Renders and writes the picture.
 pub(super) fn run(arguments: &Arguments) -> ExitCode {
-    let (output, preview) = arguments.files();
-    for file in [Some(&output), preview.as_ref()].into_iter().flatten() {
-        if FileKind::of(file).is_none() {
-            return fail(format_args!("{}: unknown kind of picture: use .exr, .png, .ppm or .hdr", file.display()));
-        }
-    }
+    let outputs = match arguments.outputs() {
+        Ok(outputs) => outputs,
+        Err(message) => return fail(message),
+    };
     let options = arguments.options();
     let window = options.window();
     if options.region.is_some_and(|region| region != window) {
         return fail(format_args!("--region reaches beyond the picture of {} x {}", options.width, options.height));
     }
-    let is_exr = |file: &PathBuf| FileKind::of(file) == Some(FileKind::Exr);
-    if !options.layers.is_empty() && !is_exr(&output) {
-        return fail(format_args!("{}: only EXR files have layers", output.display()));
+    // What cannot be written is better known before than after hours of work.
+    if let Some(error) = outputs.iter().find_map(|output| check_writable(&output.file).err()) {
+        return fail(error);
     }
-    let encoding = Encoding { float: arguments.float, sixteen_bit: arguments.sixteen_bit };
+    if !options.layers.is_empty() && outputs[0].kind != FileKind::Exr {
+        return fail(format_args!("{}: only EXR files have layers", outputs[0].file.display()));
+    }
+    let animation = arguments.animation.animation();
+    let exposure = animation.map_or_else(Exposure::default, |animation| arguments.animation.exposure(&animation));
     let job = Job {
         scene: arguments.scene.scene.clone(),
         reading: arguments.scene.reading(options.width, options.height),
         rendering: options.clone(),
-        outputs: std::iter::once(output).chain(preview).map(|file| Output { file, encoding }).collect(),
+        outputs,
+        exposure,
+        keeping: if arguments.resume { Keeping::Resuming } else { Keeping::New },
     };
+    if let Some(animation) = animation {
+        return frames::run(&arguments.scene, &job, &animation, arguments.threads);
+    }
     let session = Session::new(arguments.threads);
     let bar = progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left  {msg}");
-    let bar = Bar { bar, stopped: job.rendering.target.as_ref().map(|_| stop_on_interrupt()) };
+    let stopped = match &job.rendering.target {
+        Some(_) => Some(stop_on_interrupt()),
+        None => {
+            end_on_interrupt();
+            None
+        }
+    };
+    let bar = Bar { bar, stopped };
     let result = session.render(&job, &arguments.scene.host(), &bar);
     bar.bar.finish_and_clear();
     let mut outcome = match result {
@@ -251,6 +283,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         }
     };
     arguments.scene.how.messages.show(&outcome.warnings, &outcome.sources);
+    say_what_was_left(&outcome.earlier);
     if !outcome.complete {
         return fail("stopped before every pixel was seen; nothing is written");
     }
@@ -271,6 +304,17 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         show_timings(&outcome);
     }
     ExitCode::SUCCESS
+}
+
+/// What `--resume` has found.
+fn say_what_was_left(earlier: &Earlier) {
+    match earlier {
+        Earlier::Nothing => {}
+        Earlier::Other => {
+            messages::line("warning: what is kept beside the picture belongs to another one and is not used")
+        }
+        Earlier::Pieces(n) => messages::line(format_args!("{n} finished pieces were there already")),
+    }
 }
 
 /// What was reached, and what it cost.
@@ -295,54 +339,4 @@ fn show_timings(outcome: &Outcome) {
     let rays = outcome.metadata.rays as f64;
     let rate = rays / outcome.timings.of("render").as_secs_f64() / 1e6;
     messages::line(format_args!("rays     {rays:9.0} ({rate:.2} million a second)"));
-}
-
-/// Shows how a picture comes along.
-struct Bar {
-    bar: ProgressBar,
-    /// Whether the user wants no more, of a picture that is one at any time.
-    stopped: Option<Arc<AtomicBool>>,
-}
-
-impl Observer for Bar {
-    fn entered(&self, stage: Stage) {
-        self.bar.set_message(match stage {
-            Stage::Radiosity => "radiosity",
-            Stage::Picture => "picture",
-        });
-    }
-
-    fn advanced(&self, done: usize, of: usize) {
-        self.bar.set_length(of as u64);
-        self.bar.set_position(done as u64);
-    }
-
-    fn cancels(&self) -> bool {
-        self.stopped.as_ref().is_some_and(|stopped| stopped.load(Ordering::Relaxed))
-    }
-}
-
-/// A flag that the first interrupt raises, as by Ctrl-C; the second one ends the program.
-fn stop_on_interrupt() -> Arc<AtomicBool> {
-    let stopped = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&stopped);
-    // Where there are no signals to be had, an interrupt ends the program as ever.
-    let _ = ctrlc::set_handler(move || {
-        if raised.swap(true, Ordering::Relaxed) {
-            // What a shell calls a program that an interrupt has ended.
-            std::process::exit(130);
-        }
-    });
-    stopped
-}
-
-/// Drawn only on a terminal.
-pub(super) fn progress_bar(template: &str) -> ProgressBar {
-    let target =
-        if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-    let bar = ProgressBar::with_draw_target(Some(1), target);
-    match ProgressStyle::with_template(template) {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }

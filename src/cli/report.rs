@@ -1,7 +1,8 @@
 //! `whitted report`: error against run time, as a page.
 
 use super::fail;
-use super::render::{duration, progress_bar, size};
+use super::progress::progress_bar;
+use super::render::{duration, size};
 use super::scene_arguments::{Reading, days_since_2000};
 use crate::eval::date_time;
 use crate::imaging::read_exr;

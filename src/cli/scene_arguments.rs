@@ -1,7 +1,7 @@
 //! Arguments of every command that reads a scene.
 
-use super::{explain, include_dirs};
 use super::messages::Manner;
+use super::{explain, include_dirs};
 use crate::eval::{self, Disk, Limits, Overrides, Reach};
 use crate::omission::{Keep, Omission};
 use crate::scene::IsosurfaceSearch;

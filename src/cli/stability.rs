@@ -1,7 +1,8 @@
 //! `whitted stability`: how far scenes can be driven before a picture breaks.
 
 use super::fail;
-use super::render::{duration, progress_bar};
+use super::progress::progress_bar;
+use super::render::duration;
 use super::report::{Bar, Rival};
 use super::scene_arguments::days_since_2000;
 use crate::eval::date_time;

@@ -196,6 +196,7 @@ fn settings(settings: &scene::Settings) -> Settings {
             Gamma::None => Transfer::Srgb,
             Gamma::Linear(working) => transfer(working),
         },
+        display_values: matches!(settings.gamma, Gamma::None),
     }
 }
 

@@ -84,6 +84,8 @@ pub struct Settings {
     pub legacy_opacity: bool,
     /// Curve from working values to linear light.
     pub transfer: Transfer,
+    /// Working values are those that files show: an old scene without gamma.
+    pub display_values: bool,
 }
 
 /// From a scene's working values to linear light.

@@ -21,12 +21,17 @@ impl Evaluator<'_> {
             );
         }
         let name = self.file_name()?;
+        self.open_include(&name, span)
+    }
+
+    /// The text of an include file comes next; `span` is what asks for it.
+    pub(super) fn open_include(&mut self, name: &str, span: Span) -> SourceResult<()> {
         let extensions: &[&str] = if name.ends_with(".inc") || name.ends_with(".INC") {
             &["", ".inc", ".INC"]
         } else {
             &[".inc", ".INC", ""]
         };
-        let (path, text) = self.include_text(&name, extensions, span)?;
+        let (path, text) = self.include_text(name, extensions, span)?;
         self.include_depth += 1;
         let limit = self.options.limits.include_depth;
         if self.include_depth > limit {

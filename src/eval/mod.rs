@@ -232,6 +232,9 @@ impl<'h> Evaluator<'h> {
         let source = self.take_in(path, text)?;
         self.declare_given(path);
         self.cursors.push(Cursor::new(source, (Position::default(), None), Role::Main));
+        if let Some(header) = &self.options.header {
+            self.open_include(&header.to_string_lossy(), Span::default())?;
+        }
         loop {
             let start = self.statement_start();
             let goes_on = match self.statement() {

@@ -9,6 +9,8 @@ use std::path::PathBuf;
 pub struct Options {
     /// Folders that are searched for files after the working directory, in order.
     pub include_dirs: Vec<PathBuf>,
+    /// An include file that is read before the scene (`+HI`).
+    pub header: Option<PathBuf>,
     /// Language version in hundredths before the first `#version` (`+MV`).
     pub version: Option<u32>,
     /// Floats declared before the scene is read (`Declare=NAME=VALUE`).
@@ -39,6 +41,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             include_dirs: Vec::new(),
+            header: None,
             version: None,
             declarations: Vec::new(),
             clock: 0.0,

@@ -101,6 +101,10 @@ fn attributes(picture: &Picture, metadata: &Metadata) -> LayerAttributes {
     if !metadata.software.is_empty() {
         attributes.software_name = Some(Text::from(metadata.software.as_str()));
     }
+    if let Some(projection) = &metadata.projection {
+        attributes.world_to_camera = Some(projection.camera_from_world);
+        attributes.world_to_normalized_device = Some(projection.picture_from_world);
+    }
     for (name, value) in [("scene", &metadata.scene), ("camera", &metadata.camera)] {
         if !value.is_empty() {
             attributes.other.insert(Text::from(name), AttributeValue::Text(Text::from(value.as_str())));

@@ -39,12 +39,25 @@ pub struct Metadata {
     pub scene: String,
     /// The camera in words.
     pub camera: String,
+    /// From world space to the camera's and to the picture's, where a matrix can say it.
+    pub projection: Option<Projection>,
     /// Rays shot, shadow rays included.
     pub rays: u64,
     /// Further figures of what was done, under names as `whitted:cameraRays`.
     pub figures: Vec<(String, f64)>,
     /// Further words, by name.
     pub notes: Vec<(&'static str, String)>,
+}
+
+/// How points of the world come into the picture: rows of matrices that stand behind a row of coordinates.
+///
+/// Source: OpenEXR, "Standard Attributes", worldToCamera and worldToNDC.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// To camera space: x to the right, y up, z ahead.
+    pub camera_from_world: [f32; 16],
+    /// To the picture: 0,0 in its upper left corner, 1,1 in its lower right one.
+    pub picture_from_world: [f32; 16],
 }
 
 impl Picture {
@@ -61,8 +74,33 @@ impl Picture {
         }
     }
 
+    /// The full picture: black and opaque where this part of it is not. Layers are left out.
+    pub fn completed(&self) -> Self {
+        let mut full = Self::filled(self.full[0], self.full[1], [0.0, 0.0, 0.0, 1.0]);
+        full.has_alpha = self.has_alpha;
+        let [left, top] = self.origin.map(|start| usize::try_from(start).unwrap_or(0));
+        for (row, y) in self.pixels.chunks(self.width.max(1)).zip(top..) {
+            let start = y * full.width + left;
+            full.pixels[start..start + row.len()].copy_from_slice(row);
+        }
+        full
+    }
+
     /// The pixel in column `x` of row `y`.
     pub fn pixel(&self, x: usize, y: usize) -> [f32; 4] {
         self.pixels[y * self.width + x]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_completed_in_their_place() {
+        let part = Picture { origin: [1, 1], full: [4, 3], ..Picture::filled(2, 2, [1.0; 4]) };
+        let full = part.completed();
+        let lit: Vec<usize> = (0..12).filter(|i| full.pixels[*i] == [1.0; 4]).collect();
+        assert_eq!((lit, full.pixel(0, 0), full.pixels.len()), (vec![5, 6, 9, 10], [0.0, 0.0, 0.0, 1.0], 12));
     }
 }

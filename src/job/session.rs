@@ -1,13 +1,17 @@
 //! What several pictures share, and the way of each through the stages.
 
+use super::exposure::Mean;
+use super::identity::Noting;
 use super::library::{Library, Remembering};
-use super::{Explanation, Job, Outcome, Output, Ready, Timings};
+use super::projection::projection;
+use super::state::{self, Earlier, State};
+use super::{Explanation, Identity, Job, Keeping, Outcome, Output, Ready, Timings};
 use crate::compile::geometry::Watched;
 use crate::compile::{self, Compiled, Functions, Queries};
 use crate::compiled::World;
 use crate::compiled::camera::Camera;
 use crate::eval::{self, Evaluated, Failed, Host};
-use crate::imaging::{self, ImageError, Metadata};
+use crate::imaging::{self, Curve, Encoding, ImageError, Metadata};
 use crate::math::DVec3;
 use crate::render::{self, Observer, Options, Progress, Rendered, Statistics, Target};
 use rayon::ThreadPool;
@@ -32,6 +36,11 @@ impl Session {
         Self { pool, library: Library::default() }
     }
 
+    /// How many threads work on a picture.
+    pub fn threads(&self) -> usize {
+        self.pool.as_ref().map_or_else(rayon::current_num_threads, ThreadPool::current_num_threads)
+    }
+
     /// From a scene file to a world: all that can go wrong with a scene goes wrong here.
     ///
     /// # Errors
@@ -42,14 +51,17 @@ impl Session {
         self.library.begin_scene();
         let functions = Functions::sharing(&self.library.pictures);
         let host = Remembering { host, library: &self.library };
+        let host = Noting::new(&host);
         // On this thread, whose heap grows in large pages.
         let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(&functions)));
         let Evaluated { scene: description, mut warnings, mut sources } = read?;
         sources.release_large();
-        match timings.time("compile", || self.on_all_threads(|| compile::compile_with(&description, &functions, reading.keep))) {
+        match timings
+            .time("compile", || self.on_all_threads(|| compile::compile_with(&description, &functions, reading.keep)))
+        {
             Ok(Compiled { world, warnings: more, watched, ledger }) => {
                 warnings.extend(more);
-                Ok(Ready { world, watched, ledger, warnings, sources, timings })
+                Ok(Ready { world, watched, ledger, warnings, sources, timings, digest: host.digest() })
             }
             Err(errors) => {
                 warnings.extend(errors);
@@ -76,24 +88,72 @@ impl Session {
     /// Those of [`compile`](Self::compile).
     pub fn render(&self, job: &Job, host: &dyn Host, observer: &dyn Observer) -> Result<Outcome, Box<Failed>> {
         let ready = self.compile(&job.scene, &job.reading, host)?;
-        let Ready { world, watched, ledger, mut warnings, sources, mut timings } = ready;
+        Ok(self.develop(job, ready, observer))
+    }
+
+    /// From a scene that is ready to a picture.
+    pub fn develop(&self, job: &Job, ready: Ready, observer: &dyn Observer) -> Outcome {
+        let identity = Identity::new(job, &ready.digest);
+        let (state, earlier) = state_of(job, identity).map_or((None, Earlier::Nothing), |(s, e)| (Some(s), e));
+        let Ready { world, watched, ledger, mut warnings, sources, mut timings, .. } = ready;
         let mut options = job.rendering.clone();
         if let Some(time) = options.target.as_mut().and_then(|target| target.time.as_mut()) {
             *time = time.saturating_sub(timings.total());
         }
+        let keeping = state.as_ref().map(|state| state::Keeping { observer, state });
+        let observer = keeping.as_ref().map_or(observer, |keeping| keeping as &dyn Observer);
         let rendered = timings.time("render", || self.picture(&world, &options, observer));
+        if let Some(state) = state.as_ref().filter(|_| !rendered.complete) {
+            // What cannot be kept is made again.
+            let _ = state.flush();
+        }
         warnings.extend(watched.iter().filter_map(Watched::warning));
         let metadata = Metadata {
             software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
             scene: job.scene.display().to_string(),
             camera: describe(&world.camera),
+            projection: projection(&world.camera),
             rays: rendered.statistics.rays(),
             figures: figures(&rendered, job.rendering.target.as_ref()),
-            notes: rendered.progress.iter().map(|progress| ("whitted:rounds", progress.recipe())).collect(),
+            notes: notes(&rendered, identity),
         };
         let Rendered { picture, complete, progress, statistics } = rendered;
         let explanation = Explanation { found: world.summary(), ledger, rays: statistics };
-        Ok(Outcome { picture, metadata, complete, progress, warnings, sources, timings, explanation })
+        let display_values = world.settings.display_values;
+        Outcome {
+            picture,
+            metadata,
+            display_values,
+            complete,
+            progress,
+            warnings,
+            sources,
+            timings,
+            explanation,
+            earlier,
+            state,
+        }
+    }
+
+    /// From a scene file to the mean of pictures at the moments of the job's exposure, in linear light.
+    ///
+    /// # Errors
+    /// Those of [`compile`](Self::compile), of the first moment that has any.
+    pub fn expose(&self, job: &Job, host: &dyn Host, observer: &dyn Observer) -> Result<Outcome, Box<Failed>> {
+        let moment = |clock: f64| -> Result<(Outcome, Identity), Box<Failed>> {
+            let mut moment = Job { keeping: Keeping::Nothing, ..job.clone() };
+            moment.reading.clock = clock;
+            let ready = self.compile(&moment.scene, &moment.reading, host)?;
+            let identity = Identity::new(job, &ready.digest);
+            Ok((self.develop(&moment, ready, observer), identity))
+        };
+        let mut clocks = job.exposure.clocks(job.reading.clock);
+        let (first, identity) = moment(clocks.next().unwrap_or(job.reading.clock))?;
+        let mut mean = Mean::new(first, identity);
+        for clock in clocks {
+            mean.add(moment(clock)?.0);
+        }
+        Ok(mean.outcome())
     }
 
     /// Writes a picture's files, each whole or not at all.
@@ -101,10 +161,43 @@ impl Session {
     /// # Errors
     /// When one cannot be written; those before it are there.
     pub fn write(&self, outcome: &mut Outcome, outputs: &[Output]) -> Result<(), ImageError> {
-        let Outcome { picture, metadata, timings, .. } = outcome;
-        let save = || outputs.iter().try_for_each(|o| imaging::save(&o.file, picture, metadata, o.encoding));
-        timings.time("write", || self.on_all_threads(save))
+        let Outcome { picture, metadata, display_values, timings, state, .. } = outcome;
+        let save = |output: &Output| {
+            let curve = if *display_values { Curve::Srgb } else { output.encoding.curve };
+            imaging::save_as(&output.file, output.kind, picture, metadata, &Encoding { curve, ..output.encoding })
+        };
+        let save = || outputs.iter().try_for_each(save);
+        let written = timings.time("write", || self.on_all_threads(save));
+        if let Some(state) = state {
+            match &written {
+                Ok(()) => state.discard(),
+                // The picture can still be written from its pieces, if those can.
+                Err(_) => drop(state.flush()),
+            }
+        }
+        written
     }
+
+    /// Whether the job's file is there already: `None` without one, else whether it says that it is the same picture.
+    pub fn is_made(&self, job: &Job, ready: &Ready) -> Option<bool> {
+        let bytes = std::fs::read(job.kept_beside()?).ok().filter(|bytes| !bytes.is_empty())?;
+        Some(imaging::mark_of(&bytes).as_deref() == Some(&*Identity::new(job, &ready.digest).to_string()))
+    }
+}
+
+/// The pieces of a picture, and what an earlier run had left of them.
+fn state_of(job: &Job, identity: Identity) -> Option<(State, Earlier)> {
+    if job.keeping == Keeping::Resuming {
+        job.outputs.iter().for_each(|output| imaging::sweep(&output.file));
+    }
+    let path = state::state_file(job.kept_beside()?);
+    Some(State::open(path, identity, job.keeping == Keeping::Resuming))
+}
+
+/// What the file says in words: which picture it is, and how one with a target came about.
+fn notes(rendered: &Rendered, identity: Identity) -> Vec<(&'static str, String)> {
+    let rounds = rendered.progress.iter().map(|progress| ("whitted:rounds", progress.recipe()));
+    std::iter::once((imaging::MARK, identity.to_string())).chain(rounds).collect()
 }
 
 /// What the file says in numbers: rays by kind and, of a picture with a target, how far it came.

@@ -1,9 +1,10 @@
 //! Everything that a picture depends on.
 
+use super::Exposure;
 use crate::eval;
-use crate::imaging::Encoding;
+use crate::imaging::{Encoding, FileKind};
 use crate::render;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// One picture of one scene.
 #[derive(Clone, Debug, Default)]
@@ -16,13 +17,41 @@ pub struct Job {
     pub rendering: render::Options,
     /// Files that are written, in order.
     pub outputs: Vec<Output>,
+    /// When it is taken.
+    pub exposure: Exposure,
+    /// Whether finished pieces are kept beside the first output while the picture is made.
+    pub keeping: Keeping,
+}
+
+/// What becomes of pieces of a picture that is interrupted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Keeping {
+    /// They are lost.
+    #[default]
+    Nothing,
+    /// They are kept; those of an earlier run are not looked at.
+    New,
+    /// They are kept, and those of an earlier run of the same picture are taken.
+    Resuming,
+}
+
+impl Job {
+    /// The file beside which pieces are kept, if there can be any: pictures with a target or layers have none.
+    pub(super) fn kept_beside(&self) -> Option<&Path> {
+        let file = self.outputs.first().map(|output| output.file.as_path())?;
+        let is_plain = self.rendering.target.is_none() && self.rendering.layers.is_empty();
+        let is_file = file != Path::new("-") && !file.metadata().is_ok_and(|metadata| !metadata.is_file());
+        (self.keeping != Keeping::Nothing && is_plain && is_file).then_some(file)
+    }
 }
 
 /// A file that shows the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
-    /// Its name, by which its kind is known; `-` is standard output.
+    /// Its name; `-` is standard output.
     pub file: PathBuf,
+    /// Its kind, whatever the name says.
+    pub kind: FileKind,
     /// What the format leaves open.
     pub encoding: Encoding,
 }

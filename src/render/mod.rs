@@ -42,8 +42,9 @@ mod vertex;
 mod work;
 mod worker;
 
+pub use film::BLOCK;
 pub use image_layer::ImageLayer;
-pub use observer::{FinishedBlock, Observer, Stage, Unobserved};
+pub use observer::{FinishedBlock, Observer, Piece, Place, Stage, Unobserved};
 pub use options::{Antialias, Method, Options, Region, Target};
 pub use picture::{Rendered, render};
 pub use progressive::{Accuracy, End, Progress};

@@ -1,4 +1,6 @@
-//! Who watches a picture come into being.
+//! Who watches a picture come into being, and keeps what is finished.
+
+use super::statistics::Statistics;
 
 /// What a picture is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,10 +27,45 @@ pub trait Observer: Sync {
         false
     }
 
+    /// Whether finished pieces are wanted, to go on from there should the work be interrupted.
+    fn keeps(&self) -> bool {
+        false
+    }
+
+    /// A piece of the work is finished. Pictures with a target or layers have none.
+    fn keep(&self, _piece: Piece) {}
+
+    /// A piece that was kept in an earlier run over the same world with the same options.
+    fn kept(&self, _place: Place) -> Option<Piece> {
+        None
+    }
+
     /// Whether to stop; asked before each block.
     fn cancels(&self) -> bool {
         false
     }
+}
+
+/// Which piece of the work: pieces of the same place are the same in every run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Place {
+    /// 0 for samples that all pixels need, 1 for pixels whose edges are smoothed.
+    pub stage: u32,
+    /// First column.
+    pub x: u32,
+    /// First row.
+    pub y: u32,
+}
+
+/// A finished piece of the work, to the bit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// Which one.
+    pub place: Place,
+    /// Colours and transparency as the renderer has them, row by row.
+    pub samples: Vec<[f32; 4]>,
+    /// What it took.
+    pub statistics: Statistics,
 }
 
 /// A finished part of a picture.

@@ -6,7 +6,7 @@
 use super::antialias::Base;
 use super::film::{Block, Detail, Film, Gather, encoded};
 use super::image_layer::ImageLayer;
-use super::observer::{FinishedBlock, Observer, Stage};
+use super::observer::{FinishedBlock, Observer, Piece, Place, Stage};
 use super::options::Options;
 use super::prepare::Prepared;
 use super::pretrace::pretrace;
@@ -15,6 +15,7 @@ use super::radiance::Radiance;
 use super::sensor::at_grid;
 use super::statistics::Statistics;
 use super::work::Work;
+use super::worker::Worker;
 use crate::compiled::World;
 use crate::imaging::Picture;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -86,7 +87,8 @@ fn render_once<G: Gather>(work: &Work<'_>) -> (Rendered, Film<G>) {
     };
     let mut samples = vec![G::default(); grid.width() * grid.height()];
     let first = work.each_block(&grid, &mut samples, |worker, block, rows| {
-        let samples = at_grid(worker, block.width, block.height, base.position(block.x, block.y));
+        let at = base.position(block.x, block.y);
+        let samples = piece(work, 0, worker, block, |worker| at_grid(worker, block.width, block.height, at));
         if base.antialias().is_none() {
             finish(&Block { x: block.x + window.left, y: block.y + window.top, ..*block }, &samples);
         }
@@ -97,7 +99,7 @@ fn render_once<G: Gather>(work: &Work<'_>) -> (Rendered, Film<G>) {
         Some(antialias) => {
             let mut pixels = vec![G::default(); window.width() * window.height()];
             let second = work.each_block(&window, &mut pixels, |worker, block, rows| {
-                let pixels = antialias.block(worker, &base, &samples, block);
+                let pixels = piece(work, 1, worker, block, |worker| antialias.block(worker, &base, &samples, block));
                 finish(block, &pixels);
                 keep(rows, pixels);
             });
@@ -108,4 +110,29 @@ fn render_once<G: Gather>(work: &Work<'_>) -> (Rendered, Film<G>) {
     let picture = film.picture(world, options);
     let complete = !work.observer.cancels();
     (Rendered { picture, statistics: first.plus(second), complete, progress: None }, film)
+}
+
+/// The samples of a block: those of an earlier run if there are any, else made now.
+fn piece<G: Gather>(
+    work: &Work<'_>,
+    stage: u32,
+    worker: &mut Worker<'_>,
+    block: &Block,
+    make: impl FnOnce(&mut Worker<'_>) -> Vec<G>,
+) -> Vec<G> {
+    let place = Place { stage, x: block.x as u32, y: block.y as u32 };
+    if let Some(Piece { samples, statistics, .. }) = work.observer.kept(place)
+        && samples.len() == block.width * block.height
+        && let Some(samples) = samples.into_iter().map(G::restored).collect()
+    {
+        worker.statistics = statistics;
+        return samples;
+    }
+    let samples = make(worker);
+    if work.observer.keeps()
+        && let Some(stored) = samples.iter().map(G::stored).collect()
+    {
+        work.observer.keep(Piece { place, samples: stored, statistics: worker.statistics });
+    }
+    samples
 }

@@ -18,6 +18,18 @@ pub struct Statistics {
 }
 
 impl Statistics {
+    /// In the order of the fields.
+    pub fn counts(&self) -> [u64; 5] {
+        [self.camera_rays, self.transmitted_rays, self.reflected_rays, self.shadow_rays, self.spared_shadow_rays]
+    }
+
+    /// The inverse of [`counts`](Self::counts).
+    pub fn from_counts(
+        [camera_rays, transmitted_rays, reflected_rays, shadow_rays, spared_shadow_rays]: [u64; 5],
+    ) -> Self {
+        Self { camera_rays, transmitted_rays, reflected_rays, shadow_rays, spared_shadow_rays }
+    }
+
     /// All rays that were sent.
     pub fn rays(&self) -> u64 {
         self.camera_rays + self.transmitted_rays + self.reflected_rays + self.sample_rays + self.shadow_rays

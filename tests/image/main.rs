@@ -5,6 +5,7 @@ mod layers;
 mod memory;
 mod observer;
 mod region;
+mod resume;
 mod target;
 
 use whitted::compile::{self, Queries};

@@ -10,7 +10,7 @@ fn exr(color: [f32; 4]) -> std::io::Result<Vec<u8>> {
         &path,
         &Picture::filled(2, 2, color),
         &Metadata::default(),
-        Encoding { float: true, sixteen_bit: false },
+        &Encoding { float: true, ..Encoding::default() },
     )
     .map_err(std::io::Error::other)?;
     let bytes = std::fs::read(&path)?;

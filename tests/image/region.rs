@@ -71,3 +71,20 @@ fn regions_end_with_the_picture() {
     let options = Options { region, ..small(None) };
     assert_eq!(options.window(), Region { left: 70, top: 40, right: 75, bottom: 50 });
 }
+
+/// What blocks light lies in the same place as what lets it through, so that rounding says which of them a ray meets.
+const SAME_PLACE: &str = "
+camera { location <1, 4, -6> look_at 0 angle 45 right x*4/3 }
+light_source { <9, 9, -7>*50 rgb 1 }
+plane { y, -1 pigment { rgb 1 } }
+union {
+  box { <-1, -1, 0>, <1, 1, 1> pigment { rgbf <1, .5, .3, .8> } interior { ior 1.2 } }
+  difference { box { <-1, -1, -1>, <1, 1, 1> } box { <-.8, -.8, -2>, <.8, .8, .7> } pigment { rgb .4 } }
+  rotate <20, 35, 10>
+}
+";
+
+#[test]
+fn shadows_do_not_depend_on_others() {
+    check(SAME_PLACE, None);
+}

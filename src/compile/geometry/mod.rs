@@ -144,6 +144,5 @@ fn build(
     let Builder { mut geometry, textures, interiors, labeler, mut watched, ledger, .. } = builder;
     watched.sort_by_key(|w| w.span);
     geometry.root = Group::new(items);
-    geometry.is_sampled = geometry.primitives.iter().any(|primitive| primitive.shape.is_sampled());
     Ok(CompiledGeometry { geometry, textures, interiors, labels: labeler.finish(), watched, ledger, ..out })
 }

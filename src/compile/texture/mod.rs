@@ -210,7 +210,11 @@ impl<'s> TextureCompiler<'s> {
             side_by_side: pigment.is_side_by_side(),
             pigment,
             normal,
-            finish: self.once(&layer.finish, |c| &mut c.finishes, |c| Ok(finish::compile(&layer.finish, settings, &mut c.ledger)))?,
+            finish: self.once(
+                &layer.finish,
+                |c| &mut c.finishes,
+                |c| Ok(finish::compile(&layer.finish, settings, &mut c.ledger)),
+            )?,
             quick_color: layer.pigment.rare.as_ref().and_then(|rare| rare.quick_color),
         })
     }

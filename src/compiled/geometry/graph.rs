@@ -16,6 +16,8 @@ use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
 
 /// A set of kinds of ray. An object has one of those from which it is hidden, which pass it by.
+///
+/// Rays that look for what surely blocks light are a kind of their own: from them is hidden what surely does not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct RayMask(u8);
 
@@ -23,7 +25,8 @@ impl RayMask {
     const IMAGE: u8 = 1;
     const REFLECTION: u8 = 2;
     const SHADOW: u8 = 4;
-    const RADIOSITY: u8 = 8;
+    const BLOCKERS: u8 = 8;
+    const RADIOSITY: u8 = 16;
 
     pub(crate) fn new(no_image: bool, no_reflection: bool, no_shadow: bool, no_radiosity: bool) -> Self {
         let bit = |flag: bool, mask: u8| if flag { mask } else { 0 };
@@ -40,6 +43,17 @@ impl RayMask {
             RayKind::Radiosity => Self::RADIOSITY,
             RayKind::Probe => 0,
         })
+    }
+
+    /// Shadow rays that are met only by what may block all light.
+    pub(crate) fn of_blockers() -> Self {
+        Self(Self::SHADOW | Self::BLOCKERS)
+    }
+
+    /// With those, or without them.
+    #[must_use]
+    pub(crate) fn with_blockers(self, is_with: bool) -> Self {
+        Self(if is_with { self.0 | Self::BLOCKERS } else { self.0 & !Self::BLOCKERS })
     }
 
     /// Whether they have a kind of ray in common.

@@ -61,8 +61,6 @@ pub struct Geometry {
     pub(crate) primitives: Table<PrimitiveId, Primitive>,
     pub(crate) appearances: Table<AppearanceId, Appearance>,
     pub(crate) placements: Table<PlacementId, Placement>,
-    /// Some shape [is sampled](Shape::is_sampled).
-    pub(crate) is_sampled: bool,
     /// Of each interior, whether fog and media outside also fill its object.
     pub(crate) hollow: Table<InteriorId, bool>,
 }
@@ -111,7 +109,7 @@ impl Geometry {
     /// What stands inside `range` between a point and light number `light`.
     ///
     /// `opaque` says of each texture whether no light comes through; `None` where that holds for all. Where light last
-    /// came through something ([`Scratch::note_filtered`]) it is not looked for what surely blocks it.
+    /// came through something ([`Scratch::note_filtered`]) it is not looked for what may let it through.
     pub fn shadow(
         &self,
         ray: &Ray,
@@ -123,10 +121,6 @@ impl Geometry {
         if scratch.shadows.len() <= light {
             scratch.shadows.resize(light + 1, LastShadow::default());
         }
-        // A ray cut in pieces may find other places of what is sampled: which way it goes must not depend on others.
-        if scratch.shadows[light].is_filtered && !self.is_sampled {
-            return Shadow::Filtered;
-        }
         let search = || Blocking { opaque, is_filtered: false, blocker: None };
         // Copied only where there is one.
         if let Some(blocker) = scratch.shadows[light].blocker
@@ -134,13 +128,19 @@ impl Geometry {
         {
             return Shadow::Blocked;
         }
+        // Where it will be followed piece by piece anyway, it is asked only for what surely blocks it: answered by the whole
+        // ray, whatever rays were before. Pieces may pass what lies in the same place as something clear.
+        let is_filtered = scratch.shadows[light].is_filtered;
         let mut walk = Walk::new(self, ray, range, RayKind::Shadow, scratch, search());
+        if is_filtered {
+            walk.looks_for_blockers();
+        }
         if walk.group(&self.root, ray).is_break() {
             let blocker = walk.search.blocker;
             scratch.shadows[light].blocker = blocker;
             return Shadow::Blocked;
         }
-        if walk.search.is_filtered { Shadow::Filtered } else { Shadow::Clear }
+        if is_filtered || walk.search.is_filtered { Shadow::Filtered } else { Shadow::Clear }
     }
 
     /// The interiors of frame-level objects that contain the point, in file order. As in POV-Ray, inverted

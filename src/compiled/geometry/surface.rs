@@ -1,11 +1,11 @@
 //! From a hit to everything about the place, for the winner alone.
 
 use super::Geometry;
-use super::graph::{Appearance, NodeKind, Operation, Primitive};
+use super::graph::{Appearance, Group, Item, ItemKind, NodeKind, Operation, Primitive};
 use super::record::{Hit, InteriorKey, Path, Surface, TexturePlace, TextureRef};
 use super::shape::{LocalSurface, Primitive as _, Shape};
 use crate::compiled::handle::{
-    AppearanceId, Handle as _, InstanceId, NodeId, ObjectId, PlacementId, PrimitiveId, Table, TextureId,
+    AppearanceId, GroupId, Handle as _, InstanceId, NodeId, ObjectId, PlacementId, PrimitiveId, Table, TextureId,
 };
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use crate::stack::roomy;
@@ -103,6 +103,47 @@ impl Geometry {
             let Appearance { cutaway: Some(root), texture: None, .. } = self.appearances[id] else { continue };
             let is_opaque = *known.entry(root).or_insert_with(|| self.parts_block(root, opaque));
             self.appearances[id].cut_is_opaque = is_opaque;
+        }
+        if opaque.iter().any(|is_opaque| !is_opaque) {
+            self.hide_clear_items(opaque);
+        }
+    }
+
+    /// Hides what surely blocks no light from rays that look for blockers.
+    fn hide_clear_items(&mut self, opaque: &Table<TextureId, bool>) {
+        let is_clear = |item: &Item| match item.kind {
+            ItemKind::Sphere(_, p) | ItemKind::Plane(_, p) | ItemKind::Primitive(p) => self.is_clear(p, opaque),
+            ItemKind::Solid(root) => self.parts_are_clear(root, opaque),
+            // What its parts inherit is not known here.
+            ItemKind::Instance(_) => false,
+        };
+        let marked = |items: &[Item]| -> Vec<Item> {
+            let mark = |item: &Item| Item { hidden_from: item.hidden_from.with_blockers(is_clear(item)), ..*item };
+            items.iter().map(mark).collect()
+        };
+        let of_group = |group: &Group| (marked(&group.items), marked(&group.infinite));
+        let root = of_group(&self.root);
+        let groups: Vec<_> = self.groups.iter().map(of_group).collect();
+        (self.root.items, self.root.infinite) = root;
+        for (i, (items, infinite)) in groups.into_iter().enumerate() {
+            let group = &mut self.groups[GroupId::at(i)];
+            (group.items, group.infinite) = (items, infinite);
+        }
+    }
+
+    /// Whether a primitive has a texture of its own that may let light through, so that nothing of it
+    /// [blocks](Self::blocks_light), whatever is around it.
+    fn is_clear(&self, primitive: PrimitiveId, opaque: &Table<TextureId, bool>) -> bool {
+        let appearance = &self.appearances[self.primitives[primitive].appearance];
+        let lets_through = |placement: PlacementId| !opaque[self.placements[placement].texture];
+        !appearance.cut_is_opaque && appearance.texture.is_some_and(lets_through)
+    }
+
+    /// Whether that holds for all parts of a solid.
+    fn parts_are_clear(&self, node: NodeId, opaque: &Table<TextureId, bool>) -> bool {
+        match &self.nodes[node].kind {
+            NodeKind::Primitive(p) => self.is_clear(*p, opaque),
+            NodeKind::Csg { children, .. } => roomy(|| children.iter().all(|c| self.parts_are_clear(*c, opaque))),
         }
     }
 

@@ -148,6 +148,11 @@ impl<'a, S: Search> Walk<'a, S> {
         Self { geometry, kind, mask: RayMask::of(kind), scratch, range, path: Path::default(), ray, search }
     }
 
+    /// Passes by what surely blocks no light.
+    pub(super) fn looks_for_blockers(&mut self) {
+        self.mask = RayMask::of_blockers();
+    }
+
     /// Goes through a group; `ray` is in the group's space. Breaks when any hit will do and there is one.
     pub(super) fn group(&mut self, group: &Group, ray: &Ray) -> ControlFlow<()> {
         for item in &group.infinite {

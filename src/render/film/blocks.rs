@@ -3,7 +3,7 @@
 use crate::render::options::Region;
 
 /// Side of a block in pixels: POV-Ray's default, on which antialiasing method 1 depends.
-pub(in crate::render) const BLOCK: usize = 32;
+pub const BLOCK: usize = 32;
 
 /// A rectangle of pixels that is worked on at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

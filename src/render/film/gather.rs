@@ -36,6 +36,14 @@ pub(in crate::render) const N_TERMS: usize = 7;
 pub(in crate::render) trait Gather: Mix + Clone + Send + Sync {
     /// The light itself.
     fn light(&self) -> Radiance;
+    /// All of it in four numbers, if it is no more than that.
+    fn stored(&self) -> Option<[f32; 4]> {
+        None
+    }
+    /// The inverse of [`stored`](Self::stored).
+    fn restored(_: [f32; 4]) -> Option<Self> {
+        None
+    }
     /// Adds light of one term.
     fn add(&mut self, term: Term, light: Radiance);
     /// Adds a surface's own and direct light behind a filter.
@@ -59,6 +67,14 @@ pub(in crate::render) trait Gather: Mix + Clone + Send + Sync {
 impl Gather for Radiance {
     fn light(&self) -> Radiance {
         *self
+    }
+
+    fn stored(&self) -> Option<[f32; 4]> {
+        Some([self.rgb.x, self.rgb.y, self.rgb.z, self.transparency])
+    }
+
+    fn restored([r, g, b, transparency]: [f32; 4]) -> Option<Self> {
+        Some(Self { rgb: Rgb::new(r, g, b), transparency })
     }
 
     fn add(&mut self, _: Term, light: Radiance) {

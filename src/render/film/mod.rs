@@ -5,7 +5,8 @@ mod coverage;
 mod gather;
 mod image_layers;
 
-pub(super) use blocks::{BLOCK, Block, blocks, rows_of};
+pub use blocks::BLOCK;
+pub(super) use blocks::{Block, blocks, rows_of};
 pub(super) use gather::{Detail, Gather, Term};
 
 use super::options::{Options, Region};

@@ -52,6 +52,7 @@ pub(in crate::render) fn direct_light(
     arriving: &mut ArrivingLight,
 ) -> Rgb {
     let world = worker.world();
+    let asks_spent_lights = world.features.kept.holds(Omission::SpentLights);
     let mut sum = Rgb::ZERO;
     for (order, index) in world.lights_for(vertex.light_group()).enumerate() {
         let light = &world.lights[index];
@@ -63,9 +64,9 @@ pub(in crate::render) fn direct_light(
         let sampled =
             light.area.as_ref().filter(|a| a.illumination && vertex.path.bounce == 0 && worker.options().area_lights());
         let beam = lit_side(vertex, layer, index, light, arrival.direction);
-        let is_spent = light.is_spent(arrival.color);
-        let is_asked = world.features.kept.holds(Omission::SpentLights);
-        if sampled.is_none() && (is_spent && !is_asked || beam.is_none()) {
+        let is_spent = sampled.is_none() && light.is_spent(arrival.color);
+        let spares_ray = beam.is_none() && sampled.is_none() || is_spent && !asks_spent_lights;
+        if spares_ray {
             worker.statistics.spared_shadow_rays += 1;
             continue;
         }
@@ -77,7 +78,7 @@ pub(in crate::render) fn direct_light(
                 found
             }
         };
-        if light.is_spent(rgb) || is_spent && sampled.is_none() {
+        if is_spent || light.is_spent(rgb) {
             continue;
         }
         let answer = match (sampled, beam) {

@@ -188,13 +188,6 @@ macro_rules! shapes {
     };
 }
 
-impl Shape {
-    /// Whether what a ray finds of it depends on where the ray starts, and not only on its line.
-    pub(crate) fn is_sampled(&self) -> bool {
-        matches!(self, Self::Isosurface(_) | Self::Julia(_) | Self::Parametric(_))
-    }
-}
-
 shapes! {
     Sphere(Sphere),
     Cuboid(Cuboid),

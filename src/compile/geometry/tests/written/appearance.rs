@@ -12,7 +12,9 @@ pub(super) fn met<T>(scene: &str, origin: [f64; 3], direction: [f64; 3], of: imp
     let text = format!("#version 3.7; {scene}");
     let read = evaluate("a.pov".as_ref(), &Options::default(), &host(&text), &Queries::default());
     let read = read.unwrap_or_else(|failed| panic!("{:?}\n{text}", failed.diagnostics));
-    let geometry = crate::compile::geometry::compile(&read.scene, &Functions::default(), crate::omission::Keep::NONE).unwrap().geometry;
+    let geometry = crate::compile::geometry::compile(&read.scene, &Functions::default(), crate::omission::Keep::NONE)
+        .unwrap()
+        .geometry;
     let ray = Ray::new(DVec3::from(origin), DVec3::from(direction).normalize());
     let hit = geometry.intersect(&ray, Range::FORWARD, RayKind::Camera, &mut Scratch::default());
     of(&geometry.surface(&ray, &hit.unwrap_or_else(|| panic!("nothing hit: {scene}"))))

@@ -79,7 +79,10 @@ fn the_skin_of_a_merge_is_found_from_both_sides() {
         let text = format!("#version 3.7; merge {{ {text} }}");
         let read = evaluate("a.pov".as_ref(), &Options::default(), &super::super::host(&text), &Queries::default());
         let read = read.unwrap_or_else(|failed| panic!("{:?}", failed.diagnostics));
-        let geometry = crate::compile::geometry::compile(&read.scene, &Functions::default(), crate::omission::Keep::NONE).unwrap().geometry;
+        let geometry =
+            crate::compile::geometry::compile(&read.scene, &Functions::default(), crate::omission::Keep::NONE)
+                .unwrap()
+                .geometry;
         let scratch = &mut Scratch::default();
         for i in 0..2_000 {
             let mut vector = || DVec3::new(random(), random(), random());
