@@ -19,15 +19,16 @@ pub struct Statistics {
 
 impl Statistics {
     /// In the order of the fields.
-    pub fn counts(&self) -> [u64; 5] {
-        [self.camera_rays, self.transmitted_rays, self.reflected_rays, self.shadow_rays, self.spared_shadow_rays]
+    pub fn counts(&self) -> [u64; 6] {
+        let Self { camera_rays, transmitted_rays, reflected_rays, sample_rays, shadow_rays, spared_shadow_rays } = *self;
+        [camera_rays, transmitted_rays, reflected_rays, sample_rays, shadow_rays, spared_shadow_rays]
     }
 
     /// The inverse of [`counts`](Self::counts).
     pub fn from_counts(
-        [camera_rays, transmitted_rays, reflected_rays, shadow_rays, spared_shadow_rays]: [u64; 5],
+        [camera_rays, transmitted_rays, reflected_rays, sample_rays, shadow_rays, spared_shadow_rays]: [u64; 6],
     ) -> Self {
-        Self { camera_rays, transmitted_rays, reflected_rays, shadow_rays, spared_shadow_rays }
+        Self { camera_rays, transmitted_rays, reflected_rays, sample_rays, shadow_rays, spared_shadow_rays }
     }
 
     /// All rays that were sent.
