@@ -3,6 +3,11 @@
 use crate::compiled::radiosity::Radiosity;
 use crate::scene::{self, Settings};
 
+/// From this version on radiosity takes the place of ambient light.
+///
+/// Source: radiosity facts, section 1.
+const WITHOUT_AMBIENT: u32 = 370;
+
 pub(super) fn radiosity(radiosity: &scene::Radiosity, settings: &Settings) -> Radiosity {
     Radiosity {
         count: radiosity.count,
@@ -22,6 +27,7 @@ pub(super) fn radiosity(radiosity: &scene::Radiosity, settings: &Settings) -> Ra
         normal: radiosity.normal,
         media: radiosity.media,
         subsurface: radiosity.subsurface,
+        replaces_ambient: settings.version >= WITHOUT_AMBIENT,
         importance: settings.radiosity_importance,
     }
 }

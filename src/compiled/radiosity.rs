@@ -45,6 +45,8 @@ pub struct Radiosity {
     pub media: bool,
     /// Sample rays see subsurface light.
     pub subsurface: bool,
+    /// Ambient light does not count while this is on.
+    pub replaces_ambient: bool,
     /// Share of sample rays that see what says nothing else, and the sky.
     pub importance: f32,
 }
@@ -109,6 +111,7 @@ mod tests {
             normal: false,
             media: false,
             subsurface: false,
+            replaces_ambient: true,
             importance: 1.0,
         }
     }

@@ -7,6 +7,8 @@ use super::radiosity::{Gathering, Phase};
 use super::statistics::Statistics;
 use crate::compiled::World;
 use crate::compiled::geometry::{Hit, Scratch};
+use crate::compiled::texture::Finish;
+use crate::math::Rgb;
 
 /// Buffers and counts of one thread, and what it shares with the others.
 #[derive(Debug)]
@@ -48,6 +50,14 @@ impl<'w> Worker<'w> {
     pub(super) fn max_level(&self, path: &Path) -> u32 {
         let most = self.prepared.world.settings.max_trace_level;
         self.prepared.radiosity.as_ref().map_or(most, |radiosity| radiosity.settings.max_level(path.bounce, most))
+    }
+
+    /// What a surface with this finish gives without any light.
+    pub(super) fn own_light(&self, finish: &Finish) -> Rgb {
+        match &self.prepared.radiosity {
+            Some(radiosity) if radiosity.settings.replaces_ambient => finish.emission,
+            _ => finish.own_light,
+        }
     }
 
     /// Whether fog and rainbows lie on a path.

@@ -65,6 +65,10 @@ fn ambient_light_counts_in_old_scenes_only() {
     let floor = "plane{y,0 pigment{rgb 1} finish{ambient .1 diffuse .5 emission .2}} background{rgb .4}";
     check("", &format!("{CY} {floor}"), [0.4; 3]);
     check("", &format!("#version 3.6; {CY} {floor}"), [0.499992; 3]);
+    // Below quality 9 there is no radiosity, and ambient light counts again.
+    let options = Options { width: 4, height: 4, quality: 8, ..Options::default() };
+    let found = picture(&format!("global_settings {{ radiosity {{}} }} {CY} {floor}"), &options).pixel(0, 0);
+    assert!((found[0] - 0.300008).abs() < TOLERANCE, "{found:?}");
 }
 
 /// In a closed white box that glows, each bounce adds its share.

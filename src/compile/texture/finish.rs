@@ -6,20 +6,14 @@ use crate::math::Rgb;
 use crate::omission::{Ledger, Omission};
 use crate::scene::{self, Settings};
 
-/// From this version on radiosity takes the place of ambient light.
-///
-/// Source: radiosity facts, section 1.
-const AMBIENT_IS_RADIOSITY: u32 = 370;
-
 pub(super) fn compile(finish: &scene::Finish, settings: &Settings, ledger: &mut Ledger) -> Finish {
     let mut is_needed = |is_zero: bool| !is_zero || !ledger.omits(Omission::FinishTerms, 0);
     let mirrors = is_needed(finish.reflection_max == Rgb::ZERO && finish.reflection_min == Rgb::ZERO);
     let uses_lights =
         is_needed([finish.diffuse, finish.diffuse_back, finish.specular, finish.phong].iter().all(|term| *term == 0.0));
-    let radiosity_lights = settings.radiosity.is_some() && settings.version >= AMBIENT_IS_RADIOSITY;
-    let ambient = if radiosity_lights { Rgb::ZERO } else { finish.ambient * settings.ambient_light };
     Finish {
-        own_light: ambient + finish.emission,
+        own_light: finish.ambient * settings.ambient_light + finish.emission,
+        emission: finish.emission,
         diffuse: finish.diffuse,
         diffuse_back: finish.diffuse_back,
         raw_diffuse: finish.raw_diffuse,

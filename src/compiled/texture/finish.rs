@@ -8,6 +8,8 @@ use crate::math::noise::NoiseGenerator;
 pub struct Finish {
     /// Ambient and emission times the pigment, `ambient_light` included.
     pub own_light: Rgb,
+    /// Emission alone, for where radiosity takes the place of ambient light.
+    pub emission: Rgb,
     /// Diffuse amount on the lit side.
     pub diffuse: f32,
     /// Diffuse amount seen from the far side of the light.

@@ -86,7 +86,7 @@ pub(super) fn shade<'t, G: Gather>(
         }
         let (opacity, random) = (opacity(world, &color), layers.random());
         let lit = SurfaceLayer { finish, normal, albedo: color.rgb, opacity, depth, random };
-        let emission = color.rgb * finish.own_light * lit.opacity;
+        let emission = color.rgb * worker.own_light(finish) * lit.opacity;
         let direct =
             if finish.uses_lights && wants_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
         shaded.found.add_own(filter, emission, direct);
