@@ -20,7 +20,8 @@ pub struct Statistics {
 impl Statistics {
     /// In the order of the fields.
     pub fn counts(&self) -> [u64; 6] {
-        let Self { camera_rays, transmitted_rays, reflected_rays, sample_rays, shadow_rays, spared_shadow_rays } = *self;
+        let Self { camera_rays, transmitted_rays, reflected_rays, sample_rays, shadow_rays, spared_shadow_rays } =
+            *self;
         [camera_rays, transmitted_rays, reflected_rays, sample_rays, shadow_rays, spared_shadow_rays]
     }
 

@@ -225,7 +225,9 @@ fn what_stood_in_the_way_last_changes_no_answer() {
     let default = Arc::default();
     let objects: Vec<_> = copies.iter().map(|o| (o, &default)).collect();
     let settings = crate::scene::Settings::default();
-    let geometry = crate::compile::geometry::build(&objects, true, &settings, (&Functions::default(), Keep::NONE)).unwrap().geometry;
+    let geometry = crate::compile::geometry::build(&objects, true, &settings, (&Functions::default(), Keep::NONE))
+        .unwrap()
+        .geometry;
     assert_eq!(geometry.instances.len(), 2);
     let mut scratch = Scratch::default();
     // From above onto the copies and beside them, by turns.
