@@ -25,6 +25,7 @@ PAGES = {
     "freeform": "shapes-freeform.md",
     "shading": "shading.md",
     "pattern": "patterns.md",
+    "radiosity": "radiosity.md",
 }
 PLACES = ["src", "tests", "benches", "golden", "scripts", "docs", "examples", "fuzz", "grammar", ".ci"]
 SUFFIXES = {".rs", ".py", ".sh", ".md", ".pov", ".inc", ".toml", ".txt", ".pest", ""}

@@ -2,7 +2,7 @@
 
 use super::messages;
 use crate::imaging::pause_writing;
-use crate::render::Observer;
+use crate::render::{Observer, Stage};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::Arc;
@@ -16,6 +16,13 @@ pub(super) struct Bar {
 }
 
 impl Observer for Bar {
+    fn entered(&self, stage: Stage) {
+        self.bar.set_message(match stage {
+            Stage::Radiosity => "radiosity",
+            Stage::Picture => "picture",
+        });
+    }
+
     fn advanced(&self, done: usize, of: usize) {
         self.bar.set_length(of as u64);
         self.bar.set_position(done as u64);

@@ -264,7 +264,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         return frames::run(&arguments.scene, &job, &animation, arguments.threads);
     }
     let session = Session::new(arguments.threads);
-    let bar = progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left");
+    let bar = progress_bar("{bar:40} {percent:>3} %  {elapsed_precise} elapsed, {eta_precise} left  {msg}");
     let stopped = match &job.rendering.target {
         Some(_) => Some(stop_on_interrupt()),
         None => {

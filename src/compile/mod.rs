@@ -6,6 +6,7 @@ pub mod geometry;
 mod light;
 mod picture;
 mod queries;
+mod radiosity;
 pub mod texture;
 mod world;
 

@@ -87,6 +87,7 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
         camera,
         atmosphere,
         settings: settings(&scene.settings),
+        radiosity: scene.settings.radiosity.as_ref().map(|r| super::radiosity::radiosity(r, &scene.settings)),
         labels,
         touching: Touching::default(),
         features: Features::default(),
@@ -277,7 +278,6 @@ fn warn_about_light(
     let mut media = scene.media.iter().chain(interiors.iter().flat_map(|i| &i.media));
     let left_out = [
         (media.next().map(|m| m.span), "`media` are not rendered"),
-        (settings.radiosity.as_ref().map(|r| r.span), "`radiosity` is not rendered: indirect light will be missing"),
         (settings.photons.as_ref().map(|p| p.span), "`photons` are not rendered: caustics will be missing"),
         (
             settings.subsurface.map(|s| s.span),
@@ -340,7 +340,6 @@ mod tests {
 
     #[test]
     fn warnings_point_at_what_is_left_out() {
-        check("global_settings { radiosity { count 5 } }", "`radiosity`", "radiosity");
         check("global_settings { photons { count 5 } }", "`photons`", "photons");
         check("global_settings { subsurface { } }", "`subsurface`", "subsurface");
         check("media { emission 1 }", "`media`", "media");

@@ -13,6 +13,7 @@ pub mod interior;
 mod labels;
 pub mod light;
 pub mod mesh_camera;
+pub mod radiosity;
 pub mod texture;
 mod world;
 

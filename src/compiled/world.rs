@@ -8,6 +8,7 @@ use super::handle::Table;
 use super::interior::Interior;
 use super::labels::Labels;
 use super::light::Light;
+use super::radiosity::Radiosity;
 use super::texture::Texture;
 use crate::math::Rgb;
 use std::sync::Arc;
@@ -35,6 +36,8 @@ pub struct World {
     pub atmosphere: Atmosphere,
     /// Limits and constants of shading.
     pub settings: Settings,
+    /// How light between surfaces is gathered, if it is.
+    pub radiosity: Option<Radiosity>,
     /// Names, for layers.
     pub labels: Labels,
     /// Where objects that bend or dim light may touch.

@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 const WORD: &[u8; 16] = b"whitted state 1\n";
 /// Stage, column, row, number of samples.
 const HEAD: usize = 4 * 4;
-const COUNTS: usize = 5 * 8;
+const COUNTS: usize = 6 * 8;
 const SAMPLE: usize = 4 * 4;
 const CHECKSUM: usize = 8;
 

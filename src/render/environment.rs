@@ -44,7 +44,7 @@ pub(super) fn radiance_of(
 /// The light of a sky and what its filter leaves of the background.
 fn behind(world: &World, options: &Options, path: &Path, mut rgb: Rgb, mut filter: Rgb) -> Radiance {
     let atmosphere = &world.atmosphere;
-    let shows_through = options.alpha && path.kind != RayKind::Reflected;
+    let shows_through = options.alpha && !matches!(path.kind, RayKind::Reflected | RayKind::Radiosity);
     if shows_through && atmosphere.legacy {
         return Radiance::CLEAR;
     }

@@ -18,6 +18,8 @@ pub enum ImageLayer {
     Emission,
     /// Light from light sources, by the first surface.
     Direct,
+    /// Light from other surfaces, gathered by radiosity, sent back by the first surface.
+    Indirect,
     /// What the first surface mirrors.
     Reflection,
     /// What comes through the first surface.
@@ -38,7 +40,7 @@ pub enum ImageLayer {
 
 impl ImageLayer {
     /// All layers, in the order in which they are documented.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
@@ -46,6 +48,7 @@ impl ImageLayer {
         Self::Albedo,
         Self::Emission,
         Self::Direct,
+        Self::Indirect,
         Self::Reflection,
         Self::Refraction,
         Self::Background,
@@ -66,6 +69,7 @@ impl ImageLayer {
             Self::Albedo => "albedo",
             Self::Emission => "emission",
             Self::Direct => "direct",
+            Self::Indirect => "indirect",
             Self::Reflection => "reflection",
             Self::Refraction => "refraction",
             Self::Background => "background",

@@ -7,9 +7,11 @@
 //! Read from the bottom of this list upwards, each module knows those below it:
 //!
 //! - `picture`: the whole; `progressive`: rounds of samples until the error is small; `antialias`: POV-Ray's positions;
+//! - `pretrace`: light between surfaces, before the picture;
 //! - `work`: blocks on all cores; `sensor`: the rays through an image position;
 //! - `transport`: the recursion; `light`: what arrives at a vertex from light sources; `shade`: layers as values;
 //! - `film`: what is kept of light; `worker`, `prepare`: what a thread owns, what all share;
+//! - `radiosity`: records of light between surfaces;
 //! - `medium`, `environment`: what a ray passes, what it sees at the end; `camera`; `vertex`, `path`;
 //! - `enough`, `random`, `jitter`, `radiance`, `statistics`, `observer`, `options`.
 
@@ -27,8 +29,10 @@ mod options;
 mod path;
 mod picture;
 mod prepare;
+mod pretrace;
 mod progressive;
 mod radiance;
+mod radiosity;
 mod random;
 mod sensor;
 mod shade;
@@ -40,7 +44,7 @@ mod worker;
 
 pub use film::BLOCK;
 pub use image_layer::ImageLayer;
-pub use observer::{FinishedBlock, Observer, Piece, Place, Unobserved};
+pub use observer::{FinishedBlock, Observer, Piece, Place, Stage, Unobserved};
 pub use options::{Antialias, Method, Options, Region, Target};
 pub use picture::{Rendered, render};
 pub use progressive::{Accuracy, End, Progress};

@@ -2,8 +2,20 @@
 
 use super::statistics::Statistics;
 
+/// What a picture is at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Light between surfaces is gathered.
+    Radiosity,
+    /// Pixels.
+    Picture,
+}
+
 /// Told how a picture comes along; called from any thread.
 pub trait Observer: Sync {
+    /// What comes next.
+    fn entered(&self, _stage: Stage) {}
+
     /// So much of the work is done; what is behind grows and may be told late.
     fn advanced(&self, _done: usize, _of: usize) {}
 

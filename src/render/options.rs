@@ -122,6 +122,10 @@ impl Options {
         self.quality >= 8
     }
 
+    pub(super) fn indirect_light(&self) -> bool {
+        self.quality >= 9
+    }
+
     pub(super) fn atmosphere(&self) -> bool {
         self.quality >= 9
     }

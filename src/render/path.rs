@@ -12,6 +12,9 @@ pub(super) struct Path {
     pub(super) ray: Ray,
     /// Where hits count.
     pub(super) range: Range,
+    /// How many diffuse surfaces lie between it and the camera: 0 for all but sample rays of radiosity and what they
+    /// become.
+    pub(super) bounce: u32,
     /// Which objects it sees.
     pub(super) kind: RayKind,
     /// 1 for camera rays, one more for each bend or reflection.

@@ -6,9 +6,10 @@
 use super::antialias::Base;
 use super::film::{Block, Detail, Film, Gather, encoded};
 use super::image_layer::ImageLayer;
-use super::observer::{FinishedBlock, Observer, Piece, Place};
+use super::observer::{FinishedBlock, Observer, Piece, Place, Stage};
 use super::options::Options;
 use super::prepare::Prepared;
+use super::pretrace::pretrace;
 use super::progressive::{self, Found, Progress};
 use super::radiance::Radiance;
 use super::sensor::at_grid;
@@ -36,12 +37,17 @@ pub struct Rendered {
 ///
 /// The result is the same bits for any number of them, and a part's pixels are those of the whole picture.
 pub fn render(world: &World, options: &Options, observer: &dyn Observer) -> Rendered {
-    let prepared = Prepared::new(world, options);
+    let mut prepared = Prepared::new(world, options);
+    let before = pretrace(&mut prepared, observer);
+    observer.entered(Stage::Picture);
     let work = Work { prepared: &prepared, observer };
     if options.layers.is_empty() {
-        return render_film::<Radiance>(&work).0;
+        let mut rendered = render_film::<Radiance>(&work).0;
+        rendered.statistics = rendered.statistics.plus(before);
+        return rendered;
     }
     let (mut rendered, film) = render_film::<Detail>(&work);
+    rendered.statistics = rendered.statistics.plus(before);
     // Where samples went is told already if there was a target.
     let layers = options.layers.iter().filter(|layer| options.target.is_none() || **layer != ImageLayer::Samples);
     rendered.picture.layers.extend(layers.flat_map(|layer| layer.build(world, film.pixels())));

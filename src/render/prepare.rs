@@ -1,11 +1,12 @@
 //! What is worked out once, before the first block.
 //!
-//! Here photons would be shot and radiosity gathered: [`Prepared`] is made on one thread, or by many in an order that
-//! does not depend on them, and every worker reads it.
+//! [`Prepared`] is made on one thread, or by many in an order that does not depend on them, and every worker reads it.
+//! `pretrace` fills what is known of light between surfaces.
 
 use super::camera::Lens;
 use super::medium::Interiors;
 use super::options::Options;
+use super::radiosity::Shared;
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
 
@@ -23,6 +24,8 @@ pub(super) struct Prepared<'w> {
     pub(super) camera_interiors: Option<Interiors>,
     /// Within this distance a camera ray meets nothing.
     pub(super) camera_near: f64,
+    /// What is known of light between surfaces, where it counts.
+    pub(super) radiosity: Option<Shared<'w>>,
     /// Whether neighbours among camera rays may share work.
     pub(super) side_by_side: bool,
 }
@@ -39,6 +42,7 @@ impl<'w> Prepared<'w> {
                 false => Interiors::default(),
             }),
             camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
+            radiosity: world.radiosity.as_ref().filter(|_| options.indirect_light()).map(Shared::new),
             side_by_side: one_ray_a_position(world)
                 && (features.side_by_side_sky || features.side_by_side_textures > 0),
         }

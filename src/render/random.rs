@@ -19,6 +19,8 @@ pub(super) enum Dimension {
     AreaLight { light: usize, cell: usize, axis: u8 },
     /// `jitter` of a rainbow.
     Rainbow(usize),
+    /// Where directions of radiosity start.
+    Direction,
 }
 
 /// How a path goes on from a vertex.
@@ -34,6 +36,8 @@ pub(super) enum Branch {
     Reflection(usize),
     /// Through the surface; one of the bands of dispersed light.
     Transmission(u32),
+    /// A ray that gathers light for radiosity, or a depth at which some do.
+    Gathered(u32),
 }
 
 impl Random {
@@ -57,6 +61,7 @@ impl Random {
             Branch::Layer(i) => (3, i as u64),
             Branch::Reflection(i) => (4, i as u64),
             Branch::Transmission(i) => (5, i.into()),
+            Branch::Gathered(i) => (6, i.into()),
         };
         Self(mixed(self.0 ^ (kind << 56 | index)))
     }
@@ -69,6 +74,7 @@ impl Random {
                 (2 + u64::from(axis)) << 60 | (light as u64 & 0x0fff_ffff) << 32 | cell as u64
             }
             Dimension::Rainbow(i) => 4 << 60 | i as u64,
+            Dimension::Direction => 5 << 60,
         };
         (mixed(self.0 ^ mixed(code)) >> 11) as f64 / (1u64 << 53) as f64
     }

@@ -3,9 +3,12 @@
 use super::options::Options;
 use super::path::Path;
 use super::prepare::Prepared;
+use super::radiosity::{Gathering, Phase};
 use super::statistics::Statistics;
 use crate::compiled::World;
 use crate::compiled::geometry::{Hit, Scratch};
+use crate::compiled::texture::Finish;
+use crate::math::Rgb;
 
 /// Buffers and counts of one thread, and what it shares with the others.
 #[derive(Debug)]
@@ -13,11 +16,18 @@ pub(super) struct Worker<'w> {
     pub(super) prepared: &'w Prepared<'w>,
     pub(super) scratch: Scratch,
     pub(super) statistics: Statistics,
+    /// Of light between surfaces.
+    pub(super) gathering: Gathering,
 }
 
 impl<'w> Worker<'w> {
     pub(super) fn new(prepared: &'w Prepared<'w>) -> Self {
-        Self { prepared, scratch: Scratch::default(), statistics: Statistics::default() }
+        Self {
+            prepared,
+            scratch: Scratch::default(),
+            statistics: Statistics::default(),
+            gathering: Gathering::default(),
+        }
     }
 
     pub(super) fn world(&self) -> &'w World {
@@ -26,6 +36,39 @@ impl<'w> Worker<'w> {
 
     pub(super) fn options(&self) -> &'w Options {
         self.prepared.options
+    }
+
+    /// Weight below which a path ends.
+    pub(super) fn adc_bailout(&self, path: &Path) -> f32 {
+        match &self.prepared.radiosity {
+            Some(radiosity) if path.bounce > 0 => radiosity.settings.adc_bailout as f32,
+            _ => self.prepared.world.settings.adc_bailout,
+        }
+    }
+
+    /// Level from which on a path goes no farther.
+    pub(super) fn max_level(&self, path: &Path) -> u32 {
+        let most = self.prepared.world.settings.max_trace_level;
+        self.prepared.radiosity.as_ref().map_or(most, |radiosity| radiosity.settings.max_level(path.bounce, most))
+    }
+
+    /// What a surface with this finish gives without any light.
+    pub(super) fn own_light(&self, finish: &Finish) -> Rgb {
+        match &self.prepared.radiosity {
+            Some(radiosity) if radiosity.settings.replaces_ambient => finish.emission,
+            _ => finish.own_light,
+        }
+    }
+
+    /// Whether fog and rainbows lie on a path.
+    pub(super) fn has_air(&self, path: &Path) -> bool {
+        let passes = path.bounce == 0 || self.prepared.radiosity.as_ref().is_some_and(|r| r.settings.media);
+        passes && self.prepared.options.atmosphere()
+    }
+
+    /// Whether it matters what lights give at the end of a path: where only places are looked for, it does not.
+    pub(super) fn wants_lights(&self, path: &Path) -> bool {
+        path.bounce > 0 || self.gathering.phase == Phase::Picture
     }
 
     /// The nearest hit of a path.

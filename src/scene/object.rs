@@ -45,7 +45,7 @@ pub struct RareParts {
     pub clipped_by: Vec<Arc<Object>>,
     /// `bounded_by` objects, in the containing space.
     pub bounded_by: Vec<Arc<Object>>,
-    /// Photon settings: parsed, not used yet.
+    /// `photons`.
     pub photons: PhotonFlags,
     /// `radiosity { importance }`.
     pub radiosity_importance: Option<f32>,

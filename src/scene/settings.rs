@@ -27,6 +27,8 @@ pub struct Settings {
     pub subsurface: Option<Subsurface>,
     /// Where a `radiosity` block switches it on.
     pub radiosity: Option<Radiosity>,
+    /// Share of sample rays that see what does not say otherwise, and the sky; of the last `#default`.
+    pub radiosity_importance: f32,
     /// Where a `photons` block switches them on.
     pub photons: Option<Photons>,
 }
@@ -78,6 +80,7 @@ impl Default for Settings {
             mm_per_unit: 10.0,
             subsurface: None,
             radiosity: None,
+            radiosity_importance: 1.0,
             photons: None,
         }
     }

@@ -8,6 +8,7 @@ mod finishes;
 mod interiors;
 mod layers;
 mod lights;
+mod radiosity;
 mod recursion;
 mod shadows;
 
@@ -36,13 +37,17 @@ fn pixel(scene: &str, options: &Options) -> [f32; 4] {
 
 /// The picture of a scene after the common header.
 fn picture(scene: &str, options: &Options) -> Picture {
-    let text = format!("#version 3.7; global_settings {{ assumed_gamma 1.0 }}\n{scene}");
-    let host = Memory::new([("a.pov", text.as_str())]);
+    picture_by(1, &format!("#version 3.7; global_settings {{ assumed_gamma 1.0 }}\n{scene}"), options)
+}
+
+/// The picture of a whole text by so many threads.
+fn picture_by(threads: usize, text: &str, options: &Options) -> Picture {
+    let host = Memory::new([("a.pov", text)]);
     let read = eval::evaluate("a.pov".as_ref(), &eval::Options::default(), &host, &Queries::default());
-    let read = read.unwrap_or_else(|f| panic!("{scene}\n{}", messages(&f.diagnostics, &f.sources)));
+    let read = read.unwrap_or_else(|f| panic!("{text}\n{}", messages(&f.diagnostics, &f.sources)));
     let compiled = compile::compile(&read.scene);
-    let compiled = compiled.unwrap_or_else(|e| panic!("{scene}\n{}", messages(&e, &read.sources)));
-    Session::new(1).picture(&compiled.world, options, &Unobserved).picture
+    let compiled = compiled.unwrap_or_else(|e| panic!("{text}\n{}", messages(&e, &read.sources)));
+    Session::new(threads).picture(&compiled.world, options, &Unobserved).picture
 }
 
 fn messages(diagnostics: &[whitted::diag::Diagnostic], sources: &whitted::diag::SourceMap) -> String {

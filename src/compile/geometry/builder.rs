@@ -64,6 +64,8 @@ pub(super) struct Builder<'a> {
     pub(super) labeler: Labeler,
     /// What rays do not need.
     pub(super) ledger: Ledger,
+    /// Sample rays of radiosity meet things, too.
+    pub(super) with_radiosity: bool,
     default_interior: Arc<Interior>,
     shared: FxHashMap<(*const Arc<Object>, u8), Shared>,
     n_light_groups: u32,
@@ -95,6 +97,7 @@ impl<'a> Builder<'a> {
             errors: Vec::new(),
             labeler: Labeler::default(),
             ledger: Ledger::new(keep),
+            with_radiosity: false,
             default_interior: Arc::default(),
             shared: FxHashMap::default(),
             n_light_groups: 0,
@@ -191,7 +194,9 @@ impl<'a> Builder<'a> {
             (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, id),
             _ => ItemKind::Primitive(id),
         };
-        if !inside.hidden_from().is_all() || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>()) {
+        if !inside.hidden_from().is_all(self.with_radiosity)
+            || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
+        {
             items.push(Item { kind, hidden_from: inside.hidden_from() }, &primitive.bounds());
         }
     }
@@ -204,7 +209,8 @@ impl<'a> Builder<'a> {
             self.link(root);
             let node = &self.geometry.nodes[root];
             let hidden_from = node.hidden_from;
-            if hidden_from.is_all() && self.ledger.omits(Omission::HiddenObjects, size_of::<Item>()) {
+            if hidden_from.is_all(self.with_radiosity) && self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
+            {
                 return;
             }
             let mut bounds = node.bounds;
@@ -297,7 +303,9 @@ impl<'a> Builder<'a> {
         let parent_from_group = inside.group_from_parent;
         let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group].bounds));
         let instance = self.geometry.instances.push(Instance { group: shared.group, parent_from_group, appearance });
-        if !inside.hidden_from().is_all() || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>()) {
+        if !inside.hidden_from().is_all(self.with_radiosity)
+            || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
+        {
             items.push(Item { kind: ItemKind::Instance(instance), hidden_from: inside.hidden_from() }, &bounds);
         }
         true

@@ -37,6 +37,8 @@ pub(super) struct Context {
     pub(super) no_image: bool,
     pub(super) no_reflection: bool,
     pub(super) no_shadow: bool,
+    pub(super) no_radiosity: bool,
+    pub(super) importance: Option<f32>,
     /// Cut faces without texture look for one; holds the solid's root once it is known.
     pub(super) cutaway: bool,
     pub(super) cutaway_root: Option<NodeId>,
@@ -62,6 +64,8 @@ impl Context {
             no_image: false,
             no_reflection: false,
             no_shadow: false,
+            no_radiosity: false,
+            importance: None,
             cutaway: false,
             cutaway_root: None,
             light_group: None,
@@ -69,7 +73,7 @@ impl Context {
     }
 
     pub(super) fn hidden_from(&self) -> RayMask {
-        RayMask::new(self.no_image, self.no_reflection, self.no_shadow)
+        RayMask::new(self.no_image, self.no_reflection, self.no_shadow, self.no_radiosity)
     }
 
     /// The appearance of a leaf, or of an instance on behalf of its contents.
@@ -85,6 +89,7 @@ impl Context {
             cut_is_opaque: false,
             object,
             light_group: self.light_group,
+            importance: self.importance,
         }
     }
 }
@@ -117,6 +122,8 @@ impl Builder<'_> {
             no_image: around.no_image || flags.no_image,
             no_reflection: around.no_reflection || flags.no_reflection,
             no_shadow: around.no_shadow || flags.no_shadow,
+            no_radiosity: around.no_radiosity || flags.no_radiosity,
+            importance: object.rare.radiosity_importance.or(around.importance),
             cutaway: around.cutaway || flags.cutaway_textures,
             default_texture: around.default_texture,
             default_ior: around.default_ior,

@@ -90,7 +90,7 @@ pub fn compile(scene: &Scene, functions: &Functions, keep: Keep) -> SourceResult
     let fallback = Arc::new(Texture::default());
     let default_of = |i: usize| scene.default_textures.get(i).unwrap_or(&fallback);
     let objects: Vec<_> = scene.objects.iter().enumerate().map(|(i, o)| (o, default_of(i))).collect();
-    build(&objects, true, scene.settings.max_parts, (functions, keep))
+    build(&objects, true, &scene.settings, (functions, keep))
 }
 
 /// Compiles one object by itself, for `trace`, `inside`, object patterns and `projected_through`.
@@ -106,14 +106,14 @@ pub fn compile_object(object: &Object) -> SourceResult<Geometry> {
 /// # Errors
 /// As [`compile`].
 pub(in crate::compile) fn compile_object_sharing(object: &Object, functions: &Functions) -> SourceResult<Geometry> {
-    Ok(build(&[(object, &Arc::default())], false, Settings::default().max_parts, (functions, Keep::NONE))?.geometry)
+    Ok(build(&[(object, &Arc::default())], false, &Settings::default(), (functions, Keep::NONE))?.geometry)
 }
 
 /// All passes in order.
 fn build(
     objects: &[(&Object, &Arc<Texture>)],
     split: bool,
-    max_parts: u64,
+    settings: &Settings,
     (functions, keep): (&Functions, Keep),
 ) -> SourceResult<CompiledGeometry> {
     let mut census = Census::default();
@@ -123,6 +123,7 @@ fn build(
     let (mut copies, mut n_parts) = (Copies::new(&census), 0_u64);
     for (object, _) in objects {
         n_parts = n_parts.saturating_add(copies.count(object, split));
+        let max_parts = settings.max_parts;
         if n_parts > max_parts {
             let message = format!("with all its copies this makes more than {max_parts} objects");
             let advice = "copy less often what was copied before; if that is meant, raise it with --limit parts=N";
@@ -134,6 +135,7 @@ fn build(
         collect_lights(object, &Transform::IDENTITY, None, &census, &mut out);
     }
     let mut builder = Builder::new(&census, objects.len(), functions, keep);
+    builder.with_radiosity = settings.radiosity.is_some();
     let mut items = GroupBuilder::with_capacity(objects.len());
     builder.place_roots(objects, split, &mut items);
     if !builder.errors.is_empty() {

@@ -13,8 +13,10 @@ pub(super) fn compile(finish: &scene::Finish, settings: &Settings, ledger: &mut 
         is_needed([finish.diffuse, finish.diffuse_back, finish.specular, finish.phong].iter().all(|term| *term == 0.0));
     Finish {
         own_light: finish.ambient * settings.ambient_light + finish.emission,
+        emission: finish.emission,
         diffuse: finish.diffuse,
         diffuse_back: finish.diffuse_back,
+        raw_diffuse: finish.raw_diffuse,
         brilliance: f64::from(finish.brilliance),
         crand: finish.crand,
         phong: finish.phong,

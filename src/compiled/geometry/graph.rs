@@ -26,10 +26,12 @@ impl RayMask {
     const REFLECTION: u8 = 2;
     const SHADOW: u8 = 4;
     const BLOCKERS: u8 = 8;
+    const RADIOSITY: u8 = 16;
 
-    pub(crate) fn new(no_image: bool, no_reflection: bool, no_shadow: bool) -> Self {
+    pub(crate) fn new(no_image: bool, no_reflection: bool, no_shadow: bool, no_radiosity: bool) -> Self {
         let bit = |flag: bool, mask: u8| if flag { mask } else { 0 };
-        Self(bit(no_image, Self::IMAGE) | bit(no_reflection, Self::REFLECTION) | bit(no_shadow, Self::SHADOW))
+        let seen = bit(no_image, Self::IMAGE) | bit(no_reflection, Self::REFLECTION);
+        Self(seen | bit(no_shadow, Self::SHADOW) | bit(no_radiosity, Self::RADIOSITY))
     }
 
     /// A kind of ray by itself; a probe is none that anything can be hidden from.
@@ -38,6 +40,7 @@ impl RayMask {
             RayKind::Camera | RayKind::Refracted => Self::IMAGE,
             RayKind::Reflected => Self::REFLECTION,
             RayKind::Shadow => Self::SHADOW,
+            RayKind::Radiosity => Self::RADIOSITY,
             RayKind::Probe => 0,
         })
     }
@@ -58,10 +61,10 @@ impl RayMask {
         self.0 & other.0 != 0
     }
 
-    /// Whether these are all kinds that anything can be hidden from.
-    pub(crate) fn is_all(self) -> bool {
-        let all = Self::IMAGE | Self::REFLECTION | Self::SHADOW;
-        self.0 & all == all
+    /// Whether these are all kinds that there are in a scene, those of radiosity only where it is on.
+    pub(crate) fn is_all(self, with_radiosity: bool) -> bool {
+        let seen = Self::IMAGE | Self::REFLECTION | Self::SHADOW;
+        self.0 & seen == seen && (!with_radiosity || self.0 & Self::RADIOSITY != 0)
     }
 }
 
@@ -309,4 +312,6 @@ pub(crate) struct Appearance {
     pub(crate) cut_is_opaque: bool,
     pub(crate) object: ObjectId,
     pub(crate) light_group: Option<LightGroupId>,
+    /// How many of radiosity's sample rays see it.
+    pub(crate) importance: Option<f32>,
 }

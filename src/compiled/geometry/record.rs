@@ -15,6 +15,8 @@ pub enum RayKind {
     Reflected,
     /// Towards a light: passes `no_shadow` objects by.
     Shadow,
+    /// Gathers light for radiosity, bent and mirrored ways included: passes `no_radiosity` objects by.
+    Radiosity,
     /// Sent by the scene itself (`trace`) while it is read: meets everything.
     Probe,
 }
@@ -124,6 +126,8 @@ pub struct Surface {
     pub object: ObjectId,
     /// The light group that the object belongs to.
     pub light_group: Option<LightGroupId>,
+    /// Share of radiosity's sample rays that see the object, where it says so.
+    pub importance: Option<f32>,
 }
 
 /// How far a new ray starts from the surface, in units of `point_error`: one for the error of

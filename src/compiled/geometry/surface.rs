@@ -45,6 +45,7 @@ fn inherit(appearance: &mut Appearance, depths: &mut Depths, outer: &Appearance,
     appearance.double_illuminate = outer.double_illuminate.or(appearance.double_illuminate);
     appearance.object = outer.object;
     appearance.light_group = outer.light_group.or(appearance.light_group);
+    appearance.importance = appearance.importance.or(outer.importance);
 }
 
 impl Inherited<'_> {
@@ -203,6 +204,7 @@ impl Geometry {
             double_illuminate: appearance.double_illuminate.unwrap_or(false),
             object: appearance.object,
             light_group: appearance.light_group,
+            importance: appearance.importance,
         }
     }
 

@@ -8,10 +8,14 @@ use crate::math::noise::NoiseGenerator;
 pub struct Finish {
     /// Ambient and emission times the pigment, `ambient_light` included.
     pub own_light: Rgb,
+    /// Emission alone, for where radiosity takes the place of ambient light.
+    pub emission: Rgb,
     /// Diffuse amount on the lit side.
     pub diffuse: f32,
     /// Diffuse amount seen from the far side of the light.
     pub diffuse_back: f32,
+    /// Diffuse amount before `albedo` scales it: how much of radiosity's light is sent back.
+    pub raw_diffuse: f32,
     /// Exponent of the diffuse cosine.
     pub brilliance: f64,
     /// Random grain.

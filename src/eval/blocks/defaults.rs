@@ -79,7 +79,7 @@ impl Evaluator<'_> {
                 }
                 Some(K::Radiosity) => {
                     self.next()?;
-                    self.radiosity_importance()?;
+                    self.scene.settings.radiosity_importance = self.radiosity_importance()?;
                 }
                 _ => return Ok(()),
             }

@@ -17,6 +17,8 @@ pub(in crate::render) enum Term {
     Emission,
     /// Diffuse light and highlights from light sources.
     Direct,
+    /// Light from other surfaces and the sky, gathered by radiosity.
+    Indirect,
     /// Mirrored light, total reflection included.
     Reflection,
     /// Light that comes through the surface, bent or not.
@@ -28,7 +30,7 @@ pub(in crate::render) enum Term {
 }
 
 /// How many terms there are.
-pub(in crate::render) const N_TERMS: usize = 6;
+pub(in crate::render) const N_TERMS: usize = 7;
 
 /// Something that light is gathered in.
 pub(in crate::render) trait Gather: Mix + Clone + Send + Sync {

@@ -31,6 +31,7 @@ impl ImageLayer {
             Self::Variance => self.colors(pixels, |p| p.variance().to_array()),
             Self::Emission => term(Term::Emission),
             Self::Direct => term(Term::Direct),
+            Self::Indirect => term(Term::Indirect),
             Self::Reflection => term(Term::Reflection),
             Self::Refraction => term(Term::Refraction),
             Self::Background => term(Term::Background),

@@ -61,7 +61,8 @@ pub(in crate::render) fn direct_light(
             arriving.entries.push(Entry { arrival, unblocked: None });
         }
         let Entry { arrival, unblocked } = arriving.entries[order];
-        let sampled = light.area.as_ref().filter(|a| a.illumination && worker.options().area_lights());
+        let sampled =
+            light.area.as_ref().filter(|a| a.illumination && vertex.path.bounce == 0 && worker.options().area_lights());
         let beam = lit_side(vertex, layer, index, light, arrival.direction);
         let is_spent = sampled.is_none() && light.is_spent(arrival.color);
         let spares_ray = beam.is_none() && sampled.is_none() || is_spent && !asks_spent_lights;
@@ -166,6 +167,6 @@ fn lit_side(
     if !front && !back && !light.two_sided {
         return None;
     }
-    let highlights = !back && !light.shadowless;
+    let highlights = !back && !light.shadowless && vertex.path.bounce == 0;
     Some(Beam { direction, cosine: cosine.abs(), back, highlights, light: index })
 }

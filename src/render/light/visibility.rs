@@ -38,7 +38,9 @@ pub(super) fn light_through(
     let casts = !light.shadowless && options.shadows();
     let mut from = |direction, distance| arriving(worker, vertex, (index, light), direction, distance, color);
     match &light.area {
-        Some(area) if casts && options.area_lights() => Grid::new(vertex, index, light, area, from).mean(),
+        Some(area) if casts && options.area_lights() && vertex.path.bounce == 0 => {
+            Grid::new(vertex, index, light, area, from).mean()
+        }
         _ => from(arrival.direction, arrival.distance),
     }
 }
@@ -67,7 +69,7 @@ fn arriving(
     }
     // Behind the plane of a parallel light, at a negative distance, there is no fog (measured).
     let fogged = light.media_attenuation && distance > 0.0;
-    let fogged = fogged && options.atmosphere() && !worker.world().atmosphere.fogs.is_empty();
+    let fogged = fogged && worker.has_air(vertex.path) && !worker.world().atmosphere.fogs.is_empty();
     let way = Way { direction, reach, fogged: fogged.then_some(distance), light: index };
     color_after(worker, vertex, way, color)
 }

@@ -4,4 +4,4 @@ mod neighbours;
 mod position;
 
 pub(super) use neighbours::{at_grid, at_positions};
-pub(super) use position::at_lens_point;
+pub(super) use position::{at_lens_point, look};

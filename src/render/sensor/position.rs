@@ -35,6 +35,16 @@ pub(super) fn at_position<G: Gather>(worker: &mut Worker<'_>, [x, y]: [f64; 2]) 
     }
 }
 
+/// Sends a ray through an image position and the middle of the lens, for what is noted on its way.
+pub(in crate::render) fn look(worker: &mut Worker<'_>, [x, y]: [f64; 2]) {
+    let (camera, options) = (&worker.world().camera, worker.options());
+    if let Projection::Mesh(_) = &camera.projection {
+        at_position::<Radiance>(worker, [x, y]);
+    } else if let Some(raw) = RawRay::through(camera, x, y, options.width, options.height) {
+        along::<Radiance>(worker, raw.finish(camera), f64::INFINITY, Random::at(x, y));
+    }
+}
+
 /// What an image position gives through which the camera sends no ray.
 pub(super) fn nothing<G: Gather>() -> G {
     let mut nothing = G::default();
@@ -102,7 +112,7 @@ pub(super) fn path(worker: &mut Worker<'_>, ray: Ray, far: f64, random: Random) 
         _ => Interiors::at(prepared.world, ray.origin),
     };
     let range = Range { min: prepared.camera_near, max: far };
-    Path { ray, range, kind: RayKind::Camera, level: 1, weight: 1.0, interiors, wavelength: None, random }
+    Path { ray, range, kind: RayKind::Camera, bounce: 0, level: 1, weight: 1.0, interiors, wavelength: None, random }
 }
 
 /// Whether nothing lies between the middle of the lens and a point of it: then both are inside the same objects.

@@ -20,7 +20,7 @@ pub(in crate::render) fn escaped<G: Gather>(worker: &Worker<'_>, path: &Path, sk
 /// Carries what was found at the end of a ray through what is in the air.
 #[inline(always)]
 pub(super) fn through_air<G: Gather>(worker: &Worker<'_>, path: &Path, length: f64, found: &mut G) {
-    if worker.options().atmosphere()
+    if worker.has_air(path)
         && path.interiors.are_hollow()
         && let Some(air) = airlight(worker.world(), &path.ray, length, path.random)
     {

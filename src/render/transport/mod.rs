@@ -5,6 +5,7 @@
 
 mod air;
 mod dispersion;
+mod irradiance;
 mod secondary;
 mod surface;
 
@@ -29,7 +30,7 @@ use surface::{Mirror, Shaded, shade};
 
 /// The light that comes along a ray, towards its origin.
 pub(super) fn radiance<G: Gather>(worker: &mut Worker<'_>, path: &Path) -> G {
-    if path.weight < worker.world().settings.adc_bailout {
+    if path.weight < worker.adc_bailout(path) {
         return G::default();
     }
     match worker.intersect(path) {
@@ -125,8 +126,7 @@ fn followed(
     path: &Path,
     count: fn(&mut Statistics) -> &mut u64,
 ) -> Radiance {
-    let settings = &worker.world().settings;
-    if vertex.path.level >= settings.max_trace_level || path.weight < settings.adc_bailout {
+    if vertex.path.level >= worker.max_level(path) || path.weight < worker.adc_bailout(path) {
         return Radiance::BLACK;
     }
     *count(&mut worker.statistics) += 1;

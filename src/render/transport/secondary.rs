@@ -106,8 +106,12 @@ impl Refraction {
         let beyond = |direction: DVec3, wavelength: Option<f64>| {
             let level = vertex.path.level + u32::from(self.bend != Bend::Straight);
             let (ray, range) = vertex.leave(direction);
-            let kind = if vertex.path.kind == RayKind::Reflected { RayKind::Reflected } else { RayKind::Refracted };
-            Path { ray, range, kind, level, weight, interiors: self.interiors.clone(), wavelength, random }
+            let kind = match vertex.path.kind {
+                kind @ (RayKind::Reflected | RayKind::Radiosity) => kind,
+                _ => RayKind::Refracted,
+            };
+            let bounce = vertex.path.bounce;
+            Path { ray, range, bounce, kind, level, weight, interiors: self.interiors.clone(), wavelength, random }
         };
         let path = match self.bend {
             Bend::Straight => beyond(vertex.view(), vertex.path.wavelength),
@@ -161,7 +165,8 @@ pub(super) fn mirrored(vertex: &Vertex<'_>, normal: DVec3, weight: f32, random: 
     Path {
         ray,
         range,
-        kind: RayKind::Reflected,
+        bounce: vertex.path.bounce,
+        kind: if vertex.path.bounce > 0 { RayKind::Radiosity } else { RayKind::Reflected },
         level: vertex.path.level + 1,
         weight,
         interiors: vertex.interiors().clone(),

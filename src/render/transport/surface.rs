@@ -2,6 +2,7 @@
 //!
 //! Source: sections 2 and 6 of the shading facts (measured).
 
+use super::irradiance::Indirect;
 use super::secondary::Boundary;
 use crate::math::{Color, DVec3, Rgb, gray};
 use crate::render::film::{Gather, Term};
@@ -53,11 +54,13 @@ pub(super) fn shade<'t, G: Gather>(
     arriving: &mut ArrivingLight,
 ) -> Shaded<'t, G> {
     let (world, options) = (worker.world(), worker.options());
-    let bailout = world.settings.adc_bailout;
+    let bailout = worker.adc_bailout(vertex.path);
     let mut shaded = Shaded { found: G::default(), beyond: None, mirrors: SmallVec::new() };
     let mut filter = Rgb::ONE;
     let mut albedo = Rgb::ZERO;
     let mut top_normal = vertex.facing;
+    let mut indirect = Indirect::default();
+    let wants_lights = worker.wants_lights(vertex.path);
     for (depth, layer) in layers.iter().enumerate() {
         if share(filter) <= bailout {
             break;
@@ -83,9 +86,14 @@ pub(super) fn shade<'t, G: Gather>(
         }
         let (opacity, random) = (opacity(world, &color), layers.random());
         let lit = SurfaceLayer { finish, normal, albedo: color.rgb, opacity, depth, random };
-        let emission = color.rgb * finish.own_light * lit.opacity;
-        let direct = if finish.uses_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
+        let emission = color.rgb * worker.own_light(finish) * lit.opacity;
+        let direct =
+            if finish.uses_lights && wants_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
         shaded.found.add_own(filter, emission, direct);
+        if worker.prepared.radiosity.is_some() {
+            let light = indirect.reflected(worker, vertex, &lit, filter);
+            shaded.found.add(Term::Indirect, Radiance::opaque(filter * light));
+        }
         albedo += filter * color.rgb * lit.opacity;
         if let Some(color) = pigment {
             filter *= color.transmittance();

@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::compile::Functions;
+use crate::omission::Keep;
 
 /// An object turned inside out.
 fn inverse(mut o: Object) -> Object {
@@ -223,8 +224,10 @@ fn what_stood_in_the_way_last_changes_no_answer() {
     let copies = [-50.0, 50.0].map(|x| moved(thing.clone(), &Transform::translation(v(x, 0.0, 0.0))));
     let default = Arc::default();
     let objects: Vec<_> = copies.iter().map(|o| (o, &default)).collect();
-    let sharing = (&Functions::default(), crate::omission::Keep::NONE);
-    let geometry = crate::compile::geometry::build(&objects, true, u64::MAX, sharing).unwrap().geometry;
+    let settings = crate::scene::Settings::default();
+    let geometry = crate::compile::geometry::build(&objects, true, &settings, (&Functions::default(), Keep::NONE))
+        .unwrap()
+        .geometry;
     assert_eq!(geometry.instances.len(), 2);
     let mut scratch = Scratch::default();
     // From above onto the copies and beside them, by turns.
