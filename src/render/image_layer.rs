@@ -26,6 +26,8 @@ pub enum ImageLayer {
     Background,
     /// What fog and rainbows add.
     Atmosphere,
+    /// What media give off or scatter.
+    Media,
     /// Camera rays sent for the pixel.
     Samples,
     /// Mean square distance of the samples from their mean, in working values.
@@ -38,7 +40,7 @@ pub enum ImageLayer {
 
 impl ImageLayer {
     /// All layers, in the order in which they are documented.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
@@ -50,6 +52,7 @@ impl ImageLayer {
         Self::Refraction,
         Self::Background,
         Self::Atmosphere,
+        Self::Media,
         Self::Samples,
         Self::Variance,
         Self::CryptoObject,
@@ -70,6 +73,7 @@ impl ImageLayer {
             Self::Refraction => "refraction",
             Self::Background => "background",
             Self::Atmosphere => "atmosphere",
+            Self::Media => "media",
             Self::Samples => "samples",
             Self::Variance => "variance",
             Self::CryptoObject => "CryptoObject",

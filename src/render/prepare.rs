@@ -4,7 +4,7 @@
 //! does not depend on them, and every worker reads it.
 
 use super::camera::Lens;
-use super::medium::Interiors;
+use super::medium::{Interiors, Settling};
 use super::options::Options;
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
@@ -23,6 +23,8 @@ pub(super) struct Prepared<'w> {
     pub(super) camera_interiors: Option<Interiors>,
     /// Within this distance a camera ray meets nothing.
     pub(super) camera_near: f64,
+    /// Of each medium, when samples are enough.
+    pub(super) settling: Vec<Settling>,
     /// Whether neighbours among camera rays may share work.
     pub(super) side_by_side: bool,
 }
@@ -39,6 +41,7 @@ impl<'w> Prepared<'w> {
                 false => Interiors::default(),
             }),
             camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
+            settling: world.media.iter().map(|medium| Settling::new(&medium.sampling)).collect(),
             side_by_side: one_ray_a_position(world)
                 && (features.side_by_side_sky || features.side_by_side_textures > 0),
         }
