@@ -1,7 +1,7 @@
 //! Media: densities become pigments, what is the same everywhere one factor.
 
 use super::texture::{Refusal, TextureCompiler};
-use crate::compiled::medium::{Medium, Method, Phase, Sampling};
+use crate::compiled::medium::{Density as Varying, Medium, Method, Phase, Sampling};
 use crate::compiled::texture::Pigment;
 use crate::math::Rgb;
 use crate::scene::{self, Blend, Density, MapEntry, PigmentKind};
@@ -22,9 +22,10 @@ pub(super) fn medium(media: &scene::Media, compiler: &mut TextureCompiler<'_>) -
     for density in &media.density {
         match compiler.pigment(&pigment(density)).map_err(|r| r.at(media.span))? {
             Pigment::Solid(color) => uniform *= color.rgb,
-            varying => densities.push(varying),
+            pigment => densities.push(Varying { side_by_side: pigment.is_side_by_side(), pigment }),
         }
     }
+    densities.sort_by_key(|density: &Varying| density.pigment.is_dear());
     Ok(Medium {
         sampling: sampling(media),
         emission: media.emission,

@@ -3,7 +3,7 @@
 //! Space: world. Source: `docs/povray/media.md`, sections 1 and 3 (measured).
 
 use super::texture::{Context, Pigment};
-use crate::math::{DVec3, Rgb};
+use crate::math::{DVec3, LANES, Rgb, Uv};
 
 /// One medium; all its coefficients are per unit length and are weighted by its density.
 #[derive(Clone, Debug)]
@@ -20,12 +20,22 @@ pub struct Medium {
     pub phase: Option<Phase>,
     /// The part of the density that is the same everywhere.
     pub uniform: Rgb,
-    /// The parts of the density that depend on the place; they multiply.
-    pub densities: Vec<Pigment>,
+    /// The parts of the density that depend on the place; they multiply. Cheap ones come first: where they are 0, the
+    /// others are not asked.
+    pub densities: Vec<Density>,
     /// A density was written, if only a plain colour.
     pub has_density: bool,
     /// The density that was written last is a plain colour, or there is none.
     pub ends_plain: bool,
+}
+
+/// A part of a density that depends on the place.
+#[derive(Clone, Debug)]
+pub struct Density {
+    /// Its colours are the density, per channel.
+    pub pigment: Pigment,
+    /// Whether it pays to look at four points at once.
+    pub side_by_side: bool,
 }
 
 /// How a medium is sampled along a ray.
@@ -94,13 +104,43 @@ impl Phase {
     }
 }
 
+impl Density {
+    fn at(&self, point: DVec3) -> Rgb {
+        self.pigment.color_or_clear(point, &Context { point, ..Context::default() }).rgb
+    }
+
+    fn multiply(&self, points: &[DVec3; LANES], products: &mut [Rgb; LANES]) {
+        if self.side_by_side {
+            let colors = self.pigment.colors(&(*points).into(), &[Uv::default(); LANES]);
+            products.iter_mut().zip(colors).for_each(|(product, color)| *product *= color.rgb);
+            return;
+        }
+        for (product, point) in products.iter_mut().zip(points) {
+            if *product != Rgb::ZERO {
+                *product *= self.at(*point);
+            }
+        }
+    }
+}
+
 impl Medium {
+    /// Its densities at four world points, per channel.
+    pub fn densities_at(&self, points: &[DVec3; LANES]) -> [Rgb; LANES] {
+        let mut products = [self.uniform; LANES];
+        for density in &self.densities {
+            if products.iter().all(|product| *product == Rgb::ZERO) {
+                break;
+            }
+            density.multiply(points, &mut products);
+        }
+        products
+    }
+
     /// Its density at a world point, per channel.
     #[inline]
-    pub fn density(&self, point: DVec3) -> Rgb {
-        let context = Context { point, ..Context::default() };
+    pub fn density_at(&self, point: DVec3) -> Rgb {
         self.densities.iter().fold(self.uniform, |product, density| {
-            if product == Rgb::ZERO { product } else { product * density.color_or_clear(point, &context).rgb }
+            if product == Rgb::ZERO { product } else { product * density.at(point) }
         })
     }
 
