@@ -74,9 +74,7 @@ fn pigment(density: &Density) -> scene::Pigment {
     let kind = match density {
         Density::Solid(color) => PigmentKind::Solid(*color),
         Density::Colors(pattern, map) => PigmentKind::Colors(Box::new(pattern.clone()), Arc::new(map.clone())),
-        Density::Densities(pattern, map) => {
-            PigmentKind::Pigments(Box::new(pattern.clone()), Arc::new(pigments(map)))
-        }
+        Density::Densities(pattern, map) => PigmentKind::Pigments(Box::new(pattern.clone()), Arc::new(pigments(map))),
     };
     scene::Pigment { kind, ..scene::Pigment::default() }
 }

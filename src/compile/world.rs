@@ -60,7 +60,8 @@ pub fn compile_sharing(scene: &Scene, functions: &Functions) -> SourceResult<Com
     let atmosphere = note(atmosphere(scene, &mut compiler, &mut media), &mut errors);
     let (lights, n_global_lights, groups) = place_lights(lights, &light_groups, &mut warnings)?;
     warn_about_light(scene, &mut warnings);
-    let (Some(camera), Some(interiors), Some(atmosphere), true) = (camera, interiors, atmosphere, errors.is_empty()) else {
+    let (Some(camera), Some(interiors), Some(atmosphere), true) = (camera, interiors, atmosphere, errors.is_empty())
+    else {
         return Err(errors);
     };
     let opaque = textures.iter().map(crate::compiled::texture::Texture::is_opaque).collect();

@@ -148,7 +148,9 @@ impl Setup {
         match family.truth {
             Truth::First => share_off(first.get_or_insert_with(|| made.picture.clone()), &made.picture, VISIBLE),
             Truth::FirstBits => share_off(first.get_or_insert_with(|| made.picture.clone()), &made.picture, 0.0),
-            Truth::Partner => share_off(&self.make(scene, (x, family.picture(x)), true)?.picture, &made.picture, VISIBLE),
+            Truth::Partner => {
+                share_off(&self.make(scene, (x, family.picture(x)), true)?.picture, &made.picture, VISIBLE)
+            }
             Truth::Found => found(&made.said),
             Truth::Cost { time, memory } => Ok(excess(family, x, &made.run, before, time, memory)),
         }

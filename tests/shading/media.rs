@@ -3,7 +3,8 @@
 use super::*;
 
 const RAMP: &str = "density{function{z} color_map{[0 rgb 0][1 rgb <2,1,.5>]} scale 2}";
-const STEPS: &str = "density{function{z} color_map{[0 rgb 0][.31 rgb 0][.31 rgb 1][.52 rgb 1][.52 rgb 0][1 rgb 0]} scale 2}";
+const STEPS: &str =
+    "density{function{z} color_map{[0 rgb 0][.31 rgb 0][.31 rgb 1][.52 rgb 1][.52 rgb 0][1 rgb 0]} scale 2}";
 const X: &str = "emission .3 absorption .7";
 const IN_FRONT: &str = "light_source{<0,0,-100> rgb 1}";
 const BEHIND: &str = "light_source{<0,0,100> rgb 1}";
@@ -11,9 +12,7 @@ const BEHIND: &str = "light_source{<0,0,100> rgb 1}";
 /// A clear box of depth 2 with media, each in its own block, in an interior.
 fn filled(media: &[&str]) -> String {
     let blocks: String = media.iter().map(|m| format!("media{{{m}}}")).collect();
-    format!(
-        "box{{<-9,-9,0>,<9,9,2> hollow pigment{{rgbt 1}} finish{{ambient 0 diffuse 0}} interior{{{blocks}}}}}"
-    )
+    format!("box{{<-9,-9,0>,<9,9,2> hollow pigment{{rgbt 1}} finish{{ambient 0 diffuse 0}} interior{{{blocks}}}}}")
 }
 
 /// What the box shows, with further objects beside it.

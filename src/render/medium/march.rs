@@ -129,9 +129,9 @@ where
 {
     fn new(segment: Segment<'a>, lights: &'a [Lit], settling: Option<&'a Settling>, incoming: L, number: N) -> Self {
         let media = segment.media;
-        let first_of_most = media[1..].iter().fold(media[0], |best, next| {
-            if next.sampling.intervals > best.sampling.intervals { next } else { best }
-        });
+        let first_of_most = media[1..]
+            .iter()
+            .fold(media[0], |best, next| if next.sampling.intervals > best.sampling.intervals { next } else { best });
         let uniform = media.iter().all(|medium| medium.is_uniform()).then(|| {
             let mut sums = Coefficients::default();
             media.iter().for_each(|medium| sums.add(medium, medium.uniform));
@@ -221,14 +221,7 @@ where
     }
 
     /// The mean between two places, halved where the ends of a half differ.
-    fn mean(
-        &mut self,
-        part: &Part,
-        low: (f64, Sample),
-        middle: Sample,
-        high: (f64, Sample),
-        halvings: u32,
-    ) -> Sample {
+    fn mean(&mut self, part: &Part, low: (f64, Sample), middle: Sample, high: (f64, Sample), halvings: u32) -> Sample {
         let middle = (0.5 * (low.0 + high.0), middle);
         let mut half = |from: (f64, Sample), to: (f64, Sample), end: Sample| {
             let differ = (from.1.light - to.1.light).abs().element_sum() > self.threshold;
@@ -256,7 +249,8 @@ where
             return places.iter().map(|place| self.sample(part, *place)).collect();
         }
         let distances: Places = places.iter().map(|place| part.from + place * part.length).collect();
-        let points: SmallVec<[DVec3; BATCH]> = distances.iter().map(|distance| self.segment.ray.at(*distance)).collect();
+        let points: SmallVec<[DVec3; BATCH]> =
+            distances.iter().map(|distance| self.segment.ray.at(*distance)).collect();
         let found = self.coefficients_at(&points);
         let each = found.iter().zip(distances.iter().zip(&points));
         each.map(|(found, (distance, point))| self.lit(part, *distance, *point, *found)).collect()
@@ -409,7 +403,7 @@ mod tests {
         }
     }
 
-    /// The light of a medium two units deep: probes of section 2 of the global light facts.
+    /// The light of a medium two units deep against POV-Ray's; one thread, whose numbers these are.
     fn check(ramp: bool, sampling: Sampling, expected: [f32; 3]) {
         let medium = medium(ramp, sampling);
         let ray = Ray::new(DVec3::ZERO, DVec3::Z);
@@ -436,7 +430,8 @@ mod tests {
         check(true, plain, [0.137896, 0.128695, 0.096147]);
         let more = Sampling { min_samples: 2, max_samples: 8, variance: 0.0, ..plain };
         check(true, more, [0.167117, 0.149325, 0.109117]);
-        let even = Sampling { method: Method::Even, intervals: 3, min_samples: 2, max_samples: 2, jitter: 0.5, ..plain };
+        let even =
+            Sampling { method: Method::Even, intervals: 3, min_samples: 2, max_samples: 2, jitter: 0.5, ..plain };
         check(true, even, [0.291203, 0.213321, 0.132067]);
         check(false, Sampling { intervals: 10, min_samples: 1, max_samples: 1, ..plain }, [0.174655; 3]);
     }

@@ -56,8 +56,7 @@ fn in_cone(light: &Light, cosine: f64, ray: &Ray, length: f64) -> Option<(f64, f
 fn in_tube(light: &Light, radius: f64, ray: &Ray, length: f64) -> Option<(f64, f64)> {
     let across = |v: DVec3| v - v.dot(light.axis) * light.axis;
     let (from, step) = (across(ray.origin - light.location), across(ray.direction));
-    let roots =
-        quadratic_roots(step.length_squared(), from.dot(step), from.length_squared() - radius * radius);
+    let roots = quadratic_roots(step.length_squared(), from.dot(step), from.length_squared() - radius * radius);
     hull([roots[0], roots[1], 0.0], length, |t| (from + t * step).length() < radius)
 }
 

@@ -96,7 +96,8 @@ fn media_light(
 ) -> Option<Airlight> {
     let (world, prepared) = (worker.world(), worker.prepared);
     let passage = Passage { world, ray: &path.ray, length, random: path.random.branch(Branch::Medium(place)) };
-    let incoming = |light: usize, point: DVec3, random: Random| arriving(worker, light, MediumPoint { point, path, random });
+    let incoming =
+        |light: usize, point: DVec3, random: Random| arriving(worker, light, MediumPoint { point, path, random });
     passage.airlight(media, world.lights_for(group), &prepared.settling, incoming)
 }
 
