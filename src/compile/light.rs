@@ -33,6 +33,7 @@ pub(super) fn light(placed: &PlacedLight) -> SourceResult<Light> {
         two_sided: extended.is_none() && light.area.is_some_and(|a| a.area_illumination),
         projected_through,
         media_attenuation: light.media_attenuation && light.media_interaction,
+        lights_media: light.media_interaction && light.kind != LightKind::Shadowless,
     })
 }
 

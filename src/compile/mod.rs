@@ -4,6 +4,7 @@ mod camera;
 mod function;
 pub mod geometry;
 mod light;
+mod medium;
 mod picture;
 mod queries;
 mod radiosity;

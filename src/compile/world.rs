@@ -3,10 +3,11 @@
 use super::function::Functions;
 use super::geometry::{CompiledGeometry, PlacedLight, Watched, compile_object_sharing};
 use super::texture::{Refusal, TextureCompiler, noise_generator};
-use super::{camera, light};
+use super::{camera, light, medium};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
 use crate::compiled::geometry::{InteriorId, LightGroupId, TextureId, Touching};
 use crate::compiled::interior::{Interior, InteriorFade};
+use crate::compiled::medium::Medium;
 use crate::compiled::texture::Texture;
 use crate::compiled::{Features, Group, Settings, Table, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
@@ -15,6 +16,8 @@ use crate::math::{Color, DVec3};
 use crate::omission::{Found, Keep, Ledger, Omission};
 use crate::scene::{self, Declared, Gamma, Scene, Working};
 use rustc_hash::FxHashMap;
+use std::collections::hash_map::Entry;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// POV-Ray's own limit below which a distance or width switches a thing off.
@@ -65,10 +68,13 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
     let textures: Table<_, _> = textures.iter().filter_map(|t| note(compiler.texture(t), &mut errors)).collect();
     let camera = camera::camera(&scene.camera, &mut compiler).map_err(|r| r.at(scene.camera.span));
     let camera = note(camera, &mut errors);
-    let atmosphere = note(atmosphere(scene, &mut compiler), &mut errors);
+    let mut media = Vec::new();
+    let interiors = note(compiled_interiors(&interiors, &mut compiler, &mut media), &mut errors);
+    let atmosphere = note(atmosphere(scene, &mut compiler, &mut media), &mut errors);
     let (lights, n_global_lights, groups) = place_lights(lights, &light_groups, &mut warnings)?;
-    warn_about_light(scene, &interiors, &mut warnings);
-    let (Some(camera), Some(atmosphere), true) = (camera, atmosphere, errors.is_empty()) else {
+    warn_about_light(scene, &mut warnings);
+    let (Some(camera), Some(interiors), Some(atmosphere), true) = (camera, interiors, atmosphere, errors.is_empty())
+    else {
         return Err(errors);
     };
     keep_unused(&scene.unused, functions, &mut compiler);
@@ -80,7 +86,8 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
         geometry,
         opaque,
         textures,
-        interiors: compiled_interiors(&interiors),
+        interiors,
+        media,
         lights,
         n_global_lights,
         groups,
@@ -155,18 +162,39 @@ fn place_lights(
 
 /// One for each, of which those of one statement are the same in memory, as most objects have the one that was never
 /// written, and those that are alike and follow each other.
-fn compiled_interiors(interiors: &Table<InteriorId, Arc<scene::Interior>>) -> Table<InteriorId, Arc<Interior>> {
+fn compiled_interiors(
+    interiors: &Table<InteriorId, Arc<scene::Interior>>,
+    compiler: &mut TextureCompiler<'_>,
+    media: &mut Vec<Medium>,
+) -> Result<Table<InteriorId, Arc<Interior>>, Refusal> {
     let mut known = FxHashMap::default();
     let mut last: Option<Arc<Interior>> = None;
-    let mut compiled = |i: &Arc<scene::Interior>| {
-        let made = interior(i);
+    let mut compiled = |i: &Arc<scene::Interior>| -> Result<_, Refusal> {
+        let made = interior(i, add_media(&i.media, compiler, media)?);
         let like = last.take().filter(|last| **last == made).unwrap_or_else(|| Arc::new(made));
-        Arc::clone(last.insert(like))
+        Ok(Arc::clone(last.insert(like)))
     };
-    interiors.iter().map(|i| Arc::clone(known.entry(Arc::as_ptr(i)).or_insert_with(|| compiled(i)))).collect()
+    let each = |i: &Arc<scene::Interior>| match known.entry(Arc::as_ptr(i)) {
+        Entry::Occupied(entry) => Ok(Arc::clone(entry.get())),
+        Entry::Vacant(entry) => Ok(Arc::clone(entry.insert(compiled(i)?))),
+    };
+    interiors.iter().map(each).collect()
 }
 
-fn interior(interior: &scene::Interior) -> Interior {
+/// Compiles media that belong together; gives their places in the world's list.
+fn add_media(
+    written: &[scene::Media],
+    compiler: &mut TextureCompiler<'_>,
+    media: &mut Vec<Medium>,
+) -> Result<Range<usize>, Refusal> {
+    let first = media.len();
+    for one in written {
+        media.push(medium::medium(one, compiler)?);
+    }
+    Ok(if written.is_empty() { 0..0 } else { first..media.len() })
+}
+
+fn interior(interior: &scene::Interior, media: Range<usize>) -> Interior {
     let has_ior = interior.ior != 0.0;
     let fade =
         InteriorFade { distance: interior.fade_distance, power: interior.fade_power, color: interior.fade_color };
@@ -178,6 +206,7 @@ fn interior(interior: &scene::Interior) -> Interior {
         fade: (interior.fade_distance.abs() > TINY).then_some(fade),
         caustics: interior.caustics * 45.0,
         refraction: interior.refraction as f32,
+        media,
     }
 }
 
@@ -200,7 +229,11 @@ fn settings(settings: &scene::Settings) -> Settings {
     }
 }
 
-fn atmosphere(scene: &Scene, compiler: &mut TextureCompiler<'_>) -> Result<Atmosphere, Refusal> {
+fn atmosphere(
+    scene: &Scene,
+    compiler: &mut TextureCompiler<'_>,
+    media: &mut Vec<Medium>,
+) -> Result<Atmosphere, Refusal> {
     let sky = match &scene.sky_sphere {
         None => None,
         Some(sky) => Some(Sky {
@@ -220,6 +253,7 @@ fn atmosphere(scene: &Scene, compiler: &mut TextureCompiler<'_>) -> Result<Atmos
         sky,
         fogs: scene.fogs.iter().filter(|f| f.distance.abs() > TINY).map(|f| fog(f, &scene.settings)).collect(),
         rainbows: rainbows.map(|r| rainbow(r, compiler)).collect::<Result<_, _>>()?,
+        media: add_media(&scene.media, compiler, media)?,
     })
 }
 
@@ -269,15 +303,9 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
 }
 
 /// What a Whitted renderer leaves out is said once for each feature, where it stands.
-fn warn_about_light(
-    scene: &Scene,
-    interiors: &Table<InteriorId, Arc<scene::Interior>>,
-    warnings: &mut Vec<Diagnostic>,
-) {
+fn warn_about_light(scene: &Scene, warnings: &mut Vec<Diagnostic>) {
     let settings = &scene.settings;
-    let mut media = scene.media.iter().chain(interiors.iter().flat_map(|i| &i.media));
     let left_out = [
-        (media.next().map(|m| m.span), "`media` are not rendered"),
         (settings.photons.as_ref().map(|p| p.span), "`photons` are not rendered: caustics will be missing"),
         (
             settings.subsurface.map(|s| s.span),
@@ -342,8 +370,6 @@ mod tests {
     fn warnings_point_at_what_is_left_out() {
         check("global_settings { photons { count 5 } }", "`photons`", "photons");
         check("global_settings { subsurface { } }", "`subsurface`", "subsurface");
-        check("media { emission 1 }", "`media`", "media");
-        check("#declare M = media { emission 1 } box { 0, 1 hollow interior { media { M } } }", "`media`", "media");
         let light = "light_source { 0, 1 area_light x, y, 2000, 2000 }";
         check(light, "2000 x 2000 samples", "light_source");
     }

@@ -3,6 +3,7 @@
 use super::texture::Pigment;
 use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::math::{Color, DVec3, Rgb, Transform};
+use std::ops::Range;
 
 /// Background, skies, fogs, rainbows.
 #[derive(Debug, Default)]
@@ -17,10 +18,12 @@ pub struct Atmosphere {
     pub fogs: Vec<Fog>,
     /// In file order.
     pub rainbows: Vec<Rainbow>,
+    /// Which of the world's media are everywhere outside of solid objects.
+    pub media: Range<usize>,
 }
 
 impl Atmosphere {
-    /// Whether a ray passes nothing on its way.
+    /// Whether a ray passes neither fog nor rainbow on its way.
     pub fn is_clear(&self) -> bool {
         self.fogs.is_empty() && self.rainbows.is_empty()
     }

@@ -23,7 +23,9 @@ pub struct Features {
     pub side_by_side_sky: bool,
     /// Interiors that bend, split or fade light.
     pub optical_interiors: usize,
-    /// Fogs and rainbows, which end where a ray enters a solid object.
+    /// Interiors with media.
+    pub filled_interiors: usize,
+    /// Fogs, rainbows and media of the atmosphere, which end where a ray enters a solid object.
     pub airs: usize,
     /// Lights that are grids of lights.
     pub area_lights: usize,
@@ -53,7 +55,8 @@ impl Features {
             side_by_side_textures: textures(Texture::is_side_by_side),
             side_by_side_sky: atmosphere.sky.as_ref().is_some_and(Sky::is_side_by_side),
             optical_interiors: world.interiors.iter().filter(|interior| interior.is_optical()).count(),
-            airs: atmosphere.fogs.len() + atmosphere.rainbows.len(),
+            filled_interiors: world.interiors.iter().filter(|interior| !interior.media.is_empty()).count(),
+            airs: atmosphere.fogs.len() + atmosphere.rainbows.len() + atmosphere.media.len(),
             area_lights: lights(|light| light.area.is_some()),
             beamed_lights: lights(|light| light.beam != Beam::Even),
             fading_lights: lights(|light| light.fade.is_some()),
@@ -65,7 +68,7 @@ impl Features {
 
     /// Whether what fills objects or the air bends, dims or colours light.
     pub fn bends_light(&self) -> bool {
-        self.optical_interiors > 0 || self.airs > 0
+        self.optical_interiors > 0 || self.filled_interiors > 0 || self.airs > 0
     }
 
     /// Whether rays know which objects they are in.
@@ -79,7 +82,7 @@ impl Features {
     }
 
     /// Their names and counts, in a fixed order.
-    pub fn summary(&self) -> [(&'static str, usize); 13] {
+    pub fn summary(&self) -> [(&'static str, usize); 14] {
         [
             ("see-through textures", self.see_through_textures),
             ("patterned textures", self.patterned_textures),
@@ -88,7 +91,8 @@ impl Features {
             ("side by side textures", self.side_by_side_textures),
             ("side by side skies", usize::from(self.side_by_side_sky)),
             ("optical interiors", self.optical_interiors),
-            ("fogs and rainbows", self.airs),
+            ("interiors with media", self.filled_interiors),
+            ("fogs, rainbows, media", self.airs),
             ("area lights", self.area_lights),
             ("beamed lights", self.beamed_lights),
             ("fading lights", self.fading_lights),

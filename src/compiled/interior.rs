@@ -1,6 +1,7 @@
 //! What fills an object: refraction, attenuation, faked caustics.
 
 use crate::math::Rgb;
+use std::ops::Range;
 
 /// An interior with its defaults resolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +18,8 @@ pub struct Interior {
     pub caustics: f64,
     /// Legacy factor of transmitted light.
     pub refraction: f32,
+    /// Which of the world's media are in it.
+    pub media: Range<usize>,
 }
 
 impl Interior {

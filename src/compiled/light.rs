@@ -30,8 +30,10 @@ pub struct Light {
     pub two_sided: bool,
     /// Shines only through this.
     pub projected_through: Option<Box<Geometry>>,
-    /// Fog weakens it.
+    /// Fog and the atmosphere's media weaken it.
     pub media_attenuation: bool,
+    /// It lights media.
+    pub lights_media: bool,
 }
 
 /// Angular falloff.
@@ -223,6 +225,7 @@ mod tests {
             two_sided: false,
             projected_through: None,
             media_attenuation: false,
+            lights_media: true,
         }
     }
 

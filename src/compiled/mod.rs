@@ -12,6 +12,7 @@ mod handle;
 pub mod interior;
 mod labels;
 pub mod light;
+pub mod medium;
 pub mod mesh_camera;
 pub mod radiosity;
 pub mod texture;

@@ -8,6 +8,7 @@ use super::handle::Table;
 use super::interior::Interior;
 use super::labels::Labels;
 use super::light::Light;
+use super::medium::Medium;
 use super::radiosity::Radiosity;
 use super::texture::Texture;
 use crate::math::Rgb;
@@ -24,6 +25,8 @@ pub struct World {
     pub opaque: Table<TextureId, bool>,
     /// What fills objects.
     pub interiors: Table<InteriorId, Arc<Interior>>,
+    /// What is in interiors and in the atmosphere.
+    pub media: Vec<Medium>,
     /// Lights of the whole scene, in file order, then those of groups.
     pub lights: Vec<Light>,
     /// How many of `lights` are global.

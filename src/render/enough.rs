@@ -121,7 +121,7 @@ pub(super) fn batches(n: usize) -> Vec<usize> {
 }
 
 /// Chi-square quantile with POV-Ray's tail: its series for odd degrees up to 25 is off by a factor.
-fn stopping_quantile(degrees: usize, confidence: f64) -> f64 {
+pub(super) fn stopping_quantile(degrees: usize, confidence: f64) -> f64 {
     let odd = degrees % 2 == 1 && degrees <= 25;
     let tail = (1.0 - confidence) * if odd { 1.040_362_905_3 } else { 1.0 };
     if degrees == 0 { 0.0 } else { chi_square_quantile(degrees as f64, tail) }

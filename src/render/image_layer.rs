@@ -28,6 +28,8 @@ pub enum ImageLayer {
     Background,
     /// What fog and rainbows add.
     Atmosphere,
+    /// What media give off or scatter.
+    Media,
     /// Camera rays sent for the pixel.
     Samples,
     /// Mean square distance of the samples from their mean, in working values.
@@ -40,7 +42,7 @@ pub enum ImageLayer {
 
 impl ImageLayer {
     /// All layers, in the order in which they are documented.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
@@ -53,6 +55,7 @@ impl ImageLayer {
         Self::Refraction,
         Self::Background,
         Self::Atmosphere,
+        Self::Media,
         Self::Samples,
         Self::Variance,
         Self::CryptoObject,
@@ -74,6 +77,7 @@ impl ImageLayer {
             Self::Refraction => "refraction",
             Self::Background => "background",
             Self::Atmosphere => "atmosphere",
+            Self::Media => "media",
             Self::Samples => "samples",
             Self::Variance => "variance",
             Self::CryptoObject => "CryptoObject",

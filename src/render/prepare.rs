@@ -4,7 +4,7 @@
 //! `pretrace` fills what is known of light between surfaces.
 
 use super::camera::Lens;
-use super::medium::Interiors;
+use super::medium::{Interiors, Settling};
 use super::options::Options;
 use super::radiosity::Shared;
 use crate::compiled::World;
@@ -26,6 +26,8 @@ pub(super) struct Prepared<'w> {
     pub(super) camera_near: f64,
     /// What is known of light between surfaces, where it counts.
     pub(super) radiosity: Option<Shared<'w>>,
+    /// Of each medium, when samples are enough.
+    pub(super) settling: Vec<Settling>,
     /// Whether neighbours among camera rays may share work.
     pub(super) side_by_side: bool,
 }
@@ -43,6 +45,7 @@ impl<'w> Prepared<'w> {
             }),
             camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
             radiosity: world.radiosity.as_ref().filter(|_| options.indirect_light()).map(Shared::new),
+            settling: world.media.iter().map(|medium| Settling::new(&medium.sampling)).collect(),
             side_by_side: one_ray_a_position(world)
                 && (features.side_by_side_sky || features.side_by_side_textures > 0),
         }

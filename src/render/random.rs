@@ -3,6 +3,8 @@
 //! A number is a pure function of the image position, the sample there, the way of the ray from the camera to the
 //! vertex, and the [`Dimension`] of the decision. So any order of work, and any number of threads, gives the same bits.
 
+use crate::math::DVec3;
+
 /// Where random choices are made: a vertex on the way of one camera ray.
 ///
 /// Source of the mixing function: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators" (SplitMix64),
@@ -21,6 +23,8 @@ pub(super) enum Dimension {
     Rainbow(usize),
     /// Where directions of radiosity start.
     Direction,
+    /// Where a sample of a medium lies, by its number along the ray.
+    Medium(u32),
 }
 
 /// How a path goes on from a vertex.
@@ -38,6 +42,8 @@ pub(super) enum Branch {
     Transmission(u32),
     /// A ray that gathers light for radiosity, or a depth at which some do.
     Gathered(u32),
+    /// To a sample in a medium, by its number along the ray.
+    Medium(u32),
 }
 
 impl Random {
@@ -62,8 +68,16 @@ impl Random {
             Branch::Reflection(i) => (4, i as u64),
             Branch::Transmission(i) => (5, i.into()),
             Branch::Gathered(i) => (6, i.into()),
+            Branch::Medium(i) => (8, i.into()),
         };
         Self(mixed(self.0 ^ (kind << 56 | index)))
+    }
+
+    /// The choices along a straight way in a direction.
+    #[must_use]
+    pub(super) fn toward(self, direction: DVec3) -> Self {
+        let [x, y, z] = direction.to_array().map(f64::to_bits);
+        Self(mixed(self.0 ^ mixed(x ^ y.rotate_left(21) ^ z.rotate_left(42))))
     }
 
     /// Uniform in 0..1, 53 bits.
@@ -75,6 +89,7 @@ impl Random {
             }
             Dimension::Rainbow(i) => 4 << 60 | i as u64,
             Dimension::Direction => 5 << 60,
+            Dimension::Medium(i) => 6 << 60 | u64::from(i),
         };
         (mixed(self.0 ^ mixed(code)) >> 11) as f64 / (1u64 << 53) as f64
     }

@@ -5,8 +5,60 @@
 
 use super::medium::Interiors;
 use super::path::Path;
+use super::random::Random;
 use crate::compiled::geometry::{LightGroupId, Surface};
 use crate::math::{DVec3, Range, Ray};
+
+/// A place where light is asked for.
+pub(super) trait Place {
+    /// World space.
+    fn point(&self) -> DVec3;
+    /// The path that came, or passes, there.
+    fn path(&self) -> &Path;
+    /// What it is inside of.
+    fn interiors(&self) -> &Interiors {
+        &self.path().interiors
+    }
+    /// Random choices there.
+    fn random(&self) -> Random;
+    /// A ray from there along a unit direction, and where its hits count.
+    fn leave(&self, direction: DVec3) -> (Ray, Range);
+}
+
+/// A place within a medium.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MediumPoint<'p> {
+    /// World space.
+    pub(super) point: DVec3,
+    /// The path that passes there.
+    pub(super) path: &'p Path,
+    /// Random choices there.
+    pub(super) random: Random,
+}
+
+impl Place for MediumPoint<'_> {
+    fn point(&self) -> DVec3 {
+        self.point
+    }
+
+    fn path(&self) -> &Path {
+        self.path
+    }
+
+    fn random(&self) -> Random {
+        self.random
+    }
+
+    /// Hits nearer than rounding may bring the point to the surface where the path starts do not count.
+    fn leave(&self, direction: DVec3) -> (Ray, Range) {
+        let rounding = crate::math::gamma(N_ROUNDINGS) * self.point.abs().max_element();
+        let min = self.path.range.min.max(rounding);
+        (Ray::new(self.point, direction), Range { min, max: f64::INFINITY })
+    }
+}
+
+/// Roundings between the start of a path and a point on it: a product and a sum, and those of the start itself.
+const N_ROUNDINGS: u32 = 8;
 
 /// The end of a ray on a surface.
 #[derive(Clone, Copy, Debug)]
@@ -50,6 +102,24 @@ impl<'p> Vertex<'p> {
     /// A ray from here along a unit direction, and where its hits count.
     pub(super) fn leave(&self, direction: DVec3) -> (Ray, Range) {
         self.surface.leave(direction)
+    }
+}
+
+impl Place for Vertex<'_> {
+    fn point(&self) -> DVec3 {
+        Vertex::point(self)
+    }
+
+    fn path(&self) -> &Path {
+        self.path
+    }
+
+    fn random(&self) -> Random {
+        self.path.random
+    }
+
+    fn leave(&self, direction: DVec3) -> (Ray, Range) {
+        Vertex::leave(self, direction)
     }
 }
 

@@ -60,7 +60,7 @@ impl<'w> Worker<'w> {
         }
     }
 
-    /// Whether fog and rainbows lie on a path.
+    /// Whether fog, rainbows and media lie on a path.
     pub(super) fn has_air(&self, path: &Path) -> bool {
         let passes = path.bounce == 0 || self.prepared.radiosity.as_ref().is_some_and(|r| r.settings.media);
         passes && self.prepared.options.atmosphere()

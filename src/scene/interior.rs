@@ -43,6 +43,11 @@ impl Default for Interior {
 }
 
 impl Interior {
+    /// Whether it matters where it is: the density of a medium depends on the place.
+    pub fn has_place(&self) -> bool {
+        self.media.iter().any(|media| !media.density.is_empty())
+    }
+
     /// Moves the media's densities.
     pub fn apply(&mut self, transform: &Transform) {
         for media in &mut self.media {
@@ -51,7 +56,7 @@ impl Interior {
     }
 }
 
-/// `media { … }`: parsed in full, rendered from a later version on.
+/// `media { … }`: what fills an interior or the atmosphere.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct Media {

@@ -8,6 +8,7 @@ mod finishes;
 mod interiors;
 mod layers;
 mod lights;
+mod media;
 mod radiosity;
 mod recursion;
 mod shadows;

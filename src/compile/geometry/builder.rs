@@ -31,7 +31,8 @@ const SHARED_WEIGHT: u64 = 6;
 /// Whether contents used more than once can be built once, as far as the object that holds them decides.
 pub(super) fn can_be_shared(facts: Entry, object: &Object, splits: bool) -> bool {
     let plain = splits || (object.rare.clipped_by.is_empty() && object.rare.bounded_by.is_empty());
-    facts.uses > 1 && facts.weight >= SHARED_WEIGHT && !facts.light_groups && plain
+    let movable = !facts.light_groups && !facts.placed_media;
+    facts.uses > 1 && facts.weight >= SHARED_WEIGHT && movable && plain
 }
 
 /// A shared group, once it is built.

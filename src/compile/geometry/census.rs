@@ -20,6 +20,8 @@ pub(super) struct Entry {
     pub(super) textured: bool,
     /// Something in it has a finish with an index of refraction.
     pub(super) finish_ior: bool,
+    /// Something in it has media whose density depends on the place.
+    pub(super) placed_media: bool,
 }
 
 /// Facts about all lists of children, by address.
@@ -46,6 +48,7 @@ impl Census {
             _ => Entry { weight: 1, ..Entry::default() },
         };
         entry.textured |= object.texture.is_some();
+        entry.placed_media |= object.interior.as_ref().is_some_and(|interior| interior.has_place());
         entry.finish_ior |= object.texture.as_ref().is_some_and(|placed| placed.texture.finish_ior().is_some());
         entry
     }
@@ -74,6 +77,7 @@ impl Census {
             sum.light_groups |= one.light_groups;
             sum.textured |= one.textured;
             sum.finish_ior |= one.finish_ior;
+            sum.placed_media |= one.placed_media;
         }
         self.entries.insert(key, sum);
         sum

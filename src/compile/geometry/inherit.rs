@@ -191,10 +191,15 @@ impl Builder<'_> {
     /// A new interior, private to the object that asks.
     pub(super) fn interior(&mut self, interior: &Arc<Interior>, object: &Object, around: &Context) -> InteriorId {
         self.geometry.hollow.push(last_hollow(object, around.hollow));
-        self.interiors.push(match self.last_finish_ior(object, around) {
-            Some(ior) => Arc::new(Interior { ior: ior.into(), dispersion: 1.0, ..(**interior).clone() }),
-            None => Arc::clone(interior),
-        })
+        let mut own = Arc::clone(interior);
+        if let Some(ior) = self.last_finish_ior(object, around) {
+            let own = Arc::make_mut(&mut own);
+            (own.ior, own.dispersion) = (ior.into(), 1.0);
+        }
+        if interior.has_place() && !around.group_from_parent.is_identity() {
+            Arc::make_mut(&mut own).apply(&around.group_from_parent);
+        }
+        self.interiors.push(own)
     }
 
     /// The index that finishes give to an interior: whoever shares it and is visited last decides, as in POV-Ray.

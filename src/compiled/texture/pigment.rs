@@ -1,6 +1,6 @@
 //! Colours for points.
 
-use super::{Blend, Context, ImageMap, Pattern, Pick};
+use super::{Blend, Context, ImageMap, Pattern, PatternKind, Pick};
 use crate::math::{Color, DVec3, LANES, Points, Uv, each_lane};
 use std::sync::Arc;
 
@@ -109,6 +109,14 @@ impl Pigment {
         }
     }
 
+    /// Whether looking it up takes long: there is noise, or a search.
+    pub fn is_dear(&self) -> bool {
+        let searches = |pattern: &Pattern| {
+            matches!(pattern.kind, PatternKind::Crackle(_) | PatternKind::Fractal(_) | PatternKind::Function(_))
+        };
+        self.has(&|pattern| pattern.is_noisy() || searches(pattern))
+    }
+
     /// How many patterns it is made of.
     fn n_patterns(&self) -> usize {
         match self {
@@ -188,7 +196,6 @@ fn weighted_sum(items: impl Iterator<Item = (f32, Color)>) -> Color {
 
 #[cfg(test)]
 mod tests {
-    use super::super::PatternKind;
     use super::*;
     use crate::math::Rgb;
 

@@ -129,8 +129,9 @@ impl Evaluator<'_> {
         };
         if let Some(target) = float_target {
             self.next()?;
-            *target = self.float()?;
-            return Ok(true);
+            let value = self.float()?;
+            *target = value;
+            return self.media_number(span, keyword, value);
         }
         match keyword {
             K::Method => {
@@ -182,6 +183,17 @@ impl Evaluator<'_> {
             _ => return Ok(false),
         }
         Ok(true)
+    }
+
+    /// Numbers outside of their range are errors, as in POV-Ray.
+    fn media_number(&mut self, span: Span, keyword: K, value: f64) -> SourceResult<bool> {
+        match keyword {
+            K::AaThreshold if value <= 0.0 => self.error(span, "aa_threshold must be positive"),
+            K::Confidence if !(0.0..1.0).contains(&value) => {
+                self.error(span, "confidence must be at least 0 and less than 1")
+            }
+            _ => Ok(true),
+        }
     }
 
     fn at_least_one(&mut self, span: Span, what: &str) -> SourceResult<u32> {

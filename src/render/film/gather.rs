@@ -27,6 +27,8 @@ pub(in crate::render) enum Term {
     Background,
     /// Light that fog and rainbows add; the other terms are weakened by them.
     Atmosphere,
+    /// Light that media give off or scatter; the other terms are weakened by them.
+    Media,
 }
 
 /// How many terms there are.
@@ -48,8 +50,8 @@ pub(in crate::render) trait Gather: Mix + Clone + Send + Sync {
     fn add(&mut self, term: Term, light: Radiance);
     /// Adds a surface's own and direct light behind a filter.
     fn add_own(&mut self, filter: Rgb, emission: Rgb, direct: Rgb);
-    /// Carries everything so far through what lies on the way.
-    fn pass(&mut self, air: &Airlight);
+    /// Carries everything so far through what lies on the way; what is added there is of one term.
+    fn pass(&mut self, term: Term, air: &Airlight);
     /// Notes the normal that shades, towards the viewer, and the colour that counts as the surface's own.
     fn note_shading(&mut self, normal: DVec3, albedo: Rgb);
     /// Notes the first hit of a camera ray.
@@ -86,7 +88,7 @@ impl Gather for Radiance {
         self.rgb += filter * (emission + direct);
     }
 
-    fn pass(&mut self, air: &Airlight) {
+    fn pass(&mut self, _: Term, air: &Airlight) {
         self.rgb = air.transmittance * self.rgb + air.radiance;
         self.transparency *= air.transparency;
     }
@@ -221,10 +223,10 @@ impl Gather for Detail {
         self.terms[Term::Direct as usize] += filter * direct;
     }
 
-    fn pass(&mut self, air: &Airlight) {
-        self.light.pass(air);
+    fn pass(&mut self, term: Term, air: &Airlight) {
+        self.light.pass(term, air);
         self.terms.iter_mut().for_each(|term| *term *= air.transmittance);
-        self.terms[Term::Atmosphere as usize] += air.radiance;
+        self.terms[term as usize] += air.radiance;
     }
 
     fn note_shading(&mut self, normal: DVec3, albedo: Rgb) {
@@ -288,7 +290,7 @@ mod tests {
         sum.add_scaled(&Detail::default(), 1.0);
         let mut mean = sum.scaled(0.25);
         check(&mean, 2.0, &[(4, 0.5), (3, 0.25)], 3);
-        mean.pass(&Airlight { transmittance: Rgb::splat(0.5), radiance: Rgb::X, transparency: 0.5 });
+        mean.pass(Term::Atmosphere, &Airlight { transmittance: Rgb::splat(0.5), radiance: Rgb::X, transparency: 0.5 });
         check(&mean, 2.0, &[(4, 0.5), (3, 0.25)], 3);
         // Of light and darkness in equal shares both are half of the light off.
         let dark = Detail::default();

@@ -36,6 +36,7 @@ impl ImageLayer {
             Self::Refraction => term(Term::Refraction),
             Self::Background => term(Term::Background),
             Self::Atmosphere => term(Term::Atmosphere),
+            Self::Media => term(Term::Media),
             Self::CryptoObject => {
                 let shares: Vec<_> = pixels.iter().map(|p| statements(world, p)).collect();
                 cryptomatte(self.name(), &shares, |statement| world.labels.object(StatementId::new(statement)))

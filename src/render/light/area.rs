@@ -6,7 +6,7 @@ use crate::compiled::light::{Area, Light};
 use crate::math::{DVec3, Rgb};
 use crate::render::enough::corners_agree;
 use crate::render::random::{Dimension, Random};
-use crate::render::vertex::Vertex;
+use crate::render::vertex::Place;
 
 /// Where a sample lies on the grid, displaced at random if the light says so: the same place for its shadow and for
 /// its light.
@@ -20,8 +20,8 @@ pub(super) fn position(area: &Area, light: usize, [i, j]: [usize; 2], random: Ra
 }
 
 /// A grid of lights of which each sample is looked at once.
-pub(super) struct Grid<'a, F> {
-    vertex: &'a Vertex<'a>,
+pub(super) struct Grid<'a, P, F> {
+    place: &'a P,
     index: usize,
     light: &'a Light,
     area: &'a Area,
@@ -31,10 +31,10 @@ pub(super) struct Grid<'a, F> {
     arriving: F,
 }
 
-impl<'a, F: FnMut(DVec3, f64) -> Rgb> Grid<'a, F> {
-    pub(super) fn new(vertex: &'a Vertex<'a>, index: usize, light: &'a Light, area: &'a Area, arriving: F) -> Self {
-        let axes = area.axes((light.location - vertex.point()).normalize_or(DVec3::Z));
-        Self { vertex, index, light, area, axes, known: vec![None; area.n1 * area.n2], arriving }
+impl<'a, P: Place, F: FnMut(DVec3, f64) -> Rgb> Grid<'a, P, F> {
+    pub(super) fn new(place: &'a P, index: usize, light: &'a Light, area: &'a Area, arriving: F) -> Self {
+        let axes = area.axes((light.location - place.point()).normalize_or(DVec3::Z));
+        Self { place, index, light, area, axes, known: vec![None; area.n1 * area.n2], arriving }
     }
 
     /// Mean of what arrives, looking only as closely as samples differ.
@@ -47,9 +47,9 @@ impl<'a, F: FnMut(DVec3, f64) -> Rgb> Grid<'a, F> {
         if let Some(known) = self.known[at] {
             return known;
         }
-        let (a, b) = position(self.area, self.index, cell, self.vertex.path.random);
+        let (a, b) = position(self.area, self.index, cell, self.place.random());
         let source = self.light.location + self.area.offset(a, b, self.axes);
-        let (direction, distance) = self.light.toward(self.vertex.point(), source);
+        let (direction, distance) = self.light.toward(self.place.point(), source);
         let found = (self.arriving)(direction, distance);
         self.known[at] = Some(found);
         found

@@ -5,3 +5,4 @@ mod direct;
 mod visibility;
 
 pub(super) use direct::{ArrivingLight, direct_light};
+pub(super) use visibility::light_through;

@@ -3,14 +3,15 @@
 //! Source: sections 3.5, 3.6 and 4 of the shading facts (measured).
 
 use super::area::Grid;
+use crate::compiled::World;
 use crate::compiled::geometry::{Hit, RayKind, Shadow, Surface};
 use crate::compiled::light::{Arrival, Light};
 use crate::compiled::texture::Frame;
 use crate::math::{DVec3, Range, Ray, Rgb};
-use crate::render::medium::{Interiors, fog_transmittance};
-use crate::render::random::Random;
+use crate::render::medium::{Interiors, Passage, fog_transmittance};
+use crate::render::random::{Branch, Random};
 use crate::render::shade::{Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
-use crate::render::vertex::{Vertex, facing};
+use crate::render::vertex::{Place, facing};
 use crate::render::worker::Worker;
 
 /// How near to a light a surface may be and still not shade it, as a share of the distance: a
@@ -25,9 +26,9 @@ const PROJECTION_MARGIN: f64 = 0.001;
 /// With `bare` the light's own colour is filtered, without cone and fade: for lights whose
 /// samples each have their own.
 #[inline]
-pub(super) fn light_through(
+pub(in crate::render) fn light_through<P: Place>(
     worker: &mut Worker<'_>,
-    vertex: &Vertex<'_>,
+    place: &P,
     index: usize,
     arrival: &Arrival,
     bare: bool,
@@ -36,19 +37,19 @@ pub(super) fn light_through(
     let color = if bare { light.color } else { arrival.color };
     let options = worker.options();
     let casts = !light.shadowless && options.shadows();
-    let mut from = |direction, distance| arriving(worker, vertex, (index, light), direction, distance, color);
+    let mut from = |direction, distance| arriving(worker, place, (index, light), direction, distance, color);
     match &light.area {
-        Some(area) if casts && options.area_lights() && vertex.path.bounce == 0 => {
-            Grid::new(vertex, index, light, area, from).mean()
+        Some(area) if casts && options.area_lights() && place.path().bounce == 0 => {
+            Grid::new(place, index, light, area, from).mean()
         }
         _ => from(arrival.direction, arrival.distance),
     }
 }
 
 /// A colour on its way from a light or one of its samples.
-fn arriving(
+fn arriving<P: Place>(
     worker: &mut Worker<'_>,
-    vertex: &Vertex<'_>,
+    place: &P,
     (index, light): (usize, &Light),
     direction: DVec3,
     distance: f64,
@@ -56,7 +57,7 @@ fn arriving(
 ) -> Rgb {
     let mut reach = distance;
     if let Some(window) = &light.projected_through {
-        let (ray, range) = vertex.leave(direction);
+        let (ray, range) = place.leave(direction);
         let range = Range { max: distance, ..range };
         match window.intersect(&ray, range, RayKind::Shadow, &mut worker.scratch) {
             Some(hit) => reach = hit.t - PROJECTION_MARGIN,
@@ -69,45 +70,61 @@ fn arriving(
     }
     // Behind the plane of a parallel light, at a negative distance, there is no fog (measured).
     let fogged = light.media_attenuation && distance > 0.0;
-    let fogged = fogged && worker.has_air(vertex.path) && !worker.world().atmosphere.fogs.is_empty();
+    let atmosphere = &worker.world().atmosphere;
+    let fogged = fogged && worker.has_air(place.path()) && !(atmosphere.fogs.is_empty() && atmosphere.media.is_empty());
     let way = Way { direction, reach, fogged: fogged.then_some(distance), light: index };
-    color_after(worker, vertex, way, color)
+    color_after(worker, place, way, color)
 }
 
 /// The straight way to a light.
 struct Way {
-    /// Unit, from the vertex.
+    /// Unit, from the place.
     direction: DVec3,
     /// How far things are in the way.
     reach: f64,
-    /// How far fog is, if at all.
+    /// How far fog and media of the atmosphere are, if at all.
     fogged: Option<f64>,
     /// Number of the light.
     light: usize,
 }
 
-/// A colour after all surfaces and fog on a way.
-fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color: Rgb) -> Rgb {
+/// A colour after all surfaces, fog and media on a way.
+///
+/// As in POV-Ray the media of objects act on pieces that end on a surface, but not on the last one; those of the
+/// atmosphere act on all, even in solid objects.
+fn color_after<P: Place>(worker: &mut Worker<'_>, place: &P, way: Way, mut color: Rgb) -> Rgb {
     let world = worker.world();
-    let (mut ray, range) = vertex.leave(way.direction);
+    let (mut ray, range) = place.leave(way.direction);
     let mut range = Range { max: way.reach * (1.0 - LIGHT_MARGIN), ..range };
     worker.statistics.shadow_rays += 1;
     let fog = |ray: &Ray, length: Option<f64>, inside: &Interiors| match length {
         Some(length) if inside.are_hollow() => fog_transmittance(world, ray, length),
         _ => Rgb::ONE,
     };
+    let fills = world.features.filled_interiors > 0 && worker.has_air(place.path());
+    let atmosphere = |ray: &Ray, length: Option<f64>, n: u32| match length {
+        Some(length) if !world.atmosphere.media.is_empty() => {
+            passage(world, place, (ray, length), n).transmittance(world.atmosphere.media.clone())
+        }
+        _ => Rgb::ONE,
+    };
+    let last = |ray: &Ray, length: Option<f64>, inside: &Interiors, n: u32| match inside.are_hollow() {
+        true => fog(ray, length, inside) * atmosphere(ray, length, n),
+        false => Rgb::ONE,
+    };
     let opaque = (world.features.see_through_textures > 0).then_some(&world.opaque);
     match world.geometry.shadow(&ray, range, way.light, opaque, &mut worker.scratch) {
         Shadow::Blocked => return Rgb::ZERO,
-        Shadow::Clear => return color * fog(&ray, way.fogged, vertex.interiors()),
+        Shadow::Clear => return color * last(&ray, way.fogged, place.interiors(), 0),
         Shadow::Filtered => {}
     }
     let mut interiors = None;
     let mut fogged = way.fogged;
+    let mut n_pieces = 0;
     loop {
         let Some(hit) = world.geometry.intersect(&ray, range, RayKind::Shadow, &mut worker.scratch) else {
             worker.scratch.note_filtered(way.light, interiors.is_some());
-            return color * fog(&ray, fogged, interiors.as_ref().unwrap_or(vertex.interiors()));
+            return color * last(&ray, fogged, interiors.as_ref().unwrap_or(place.interiors()), n_pieces);
         };
         worker.scratch.note_filtered(way.light, interiors.is_some());
         if world.geometry.blocks(&hit, &world.opaque) {
@@ -117,11 +134,16 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
         if surface.textures.iter().all(|t| world.opaque[t.texture]) {
             return Rgb::ZERO;
         }
-        let interiors = interiors.get_or_insert_with(|| vertex.interiors().clone());
+        let interiors = interiors.get_or_insert_with(|| place.interiors().clone());
         if let Some(length) = &mut fogged {
-            color *= fog(&ray, Some(hit.t), interiors);
+            color *= fog(&ray, Some(hit.t), interiors) * atmosphere(&ray, Some(hit.t), n_pieces);
             *length -= hit.t;
         }
+        if fills {
+            let media = interiors.media(world).into_iter();
+            color *= passage(world, place, (&ray, hit.t), n_pieces + 1).transmittance(media);
+        }
+        n_pieces += 2;
         let way_through = (way.direction, RayKind::Shadow);
         let fade = match interiors.cross_at(world, &surface, way_through, &mut worker.scratch).leaving {
             true => world.interior(surface.interior.interior).fade.filter(|f| f.power > 0.0),
@@ -137,6 +159,12 @@ fn color_after(worker: &mut Worker<'_>, vertex: &Vertex<'_>, way: Way, mut color
         range.max = left;
         worker.statistics.shadow_rays += 1;
     }
+}
+
+/// Piece number `n` of a way to a light.
+fn passage<'a>(world: &'a World, place: &impl Place, (ray, length): (&'a Ray, f64), n: u32) -> Passage<'a> {
+    let random = place.random().toward(ray.direction).branch(Branch::Medium(n));
+    Passage { world, ray, length, random }
 }
 
 /// What all textures of a surface let through.

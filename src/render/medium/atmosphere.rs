@@ -35,19 +35,30 @@ pub(in crate::render) fn airlight(world: &World, ray: &Ray, length: f64, random:
     if atmosphere.is_clear() {
         return None;
     }
-    let rainbows = rainbows(&atmosphere.rainbows, ray.direction, length, random);
-    let mut transmittance = Rgb::ONE;
-    let mut radiance = Rgb::ZERO;
-    for fog in &atmosphere.fogs {
-        let k = transmittance_of(fog, ray, length);
-        transmittance *= k * fog_tint(fog);
-        radiance += (1.0 - k) * fog.color.rgb;
-    }
+    let rainbows = rainbow(world, ray, length, random);
+    let Airlight { transmittance, radiance, .. } = fog(world, ray, length);
     Some(Airlight {
         transmittance: transmittance * rainbows.transmittance,
         radiance: transmittance * rainbows.radiance + radiance,
         transparency: gray(transmittance) * rainbows.transparency,
     })
+}
+
+/// What rainbows do along a segment of a ray.
+pub(in crate::render) fn rainbow(world: &World, ray: &Ray, length: f64, random: Random) -> Airlight {
+    rainbows(&world.atmosphere.rainbows, ray.direction, length, random)
+}
+
+/// What fogs do along a segment of a ray.
+pub(in crate::render) fn fog(world: &World, ray: &Ray, length: f64) -> Airlight {
+    let mut transmittance = Rgb::ONE;
+    let mut radiance = Rgb::ZERO;
+    for fog in &world.atmosphere.fogs {
+        let k = transmittance_of(fog, ray, length);
+        transmittance *= k * fog_tint(fog);
+        radiance += (1.0 - k) * fog.color.rgb;
+    }
+    Airlight { transmittance, radiance, transparency: gray(transmittance) }
 }
 
 /// The mean of all rainbows that show in a direction.

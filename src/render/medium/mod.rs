@@ -1,12 +1,19 @@
 //! What a ray is inside of, and what lies on its way.
 //!
 //! [`Interiors`] is the list of objects that a ray is in; [`Interiors::cross`] is the only place where it changes, for
-//! camera, reflected, refracted and shadow rays alike. [`airlight`] and [`fog_transmittance`] say what a segment of a
-//! ray passes: here marching through media would stand.
+//! camera, reflected, refracted and shadow rays alike. [`airlight`] and [`fog_transmittance`] say what fog does along a
+//! segment of a ray, [`Passage`] what media do.
 
 mod atmosphere;
+mod march;
+mod passage;
+mod segment;
+mod settling;
 
-pub(super) use atmosphere::{Airlight, airlight, fog_transmittance};
+pub(super) use atmosphere::{Airlight, airlight, fog, fog_transmittance, rainbow};
+pub(super) use march::Incoming;
+pub(super) use passage::Passage;
+pub(super) use settling::Settling;
 
 use crate::compiled::World;
 use crate::compiled::geometry::{InteriorKey, RayKind, Scratch, Surface};

@@ -172,7 +172,7 @@ fn shade_four<G: Gather>(worker: &mut Worker<'_>, last: Option<&Encounter<'_>>, 
 }
 
 /// Adds the light of four rays that see the sky.
-fn shade_skies<G: Gather>(worker: &Worker<'_>, four: [&Encounter<'_>; LANES], found: &mut Vec<G>) {
+fn shade_skies<G: Gather>(worker: &mut Worker<'_>, four: [&Encounter<'_>; LANES], found: &mut Vec<G>) {
     let (world, options) = (worker.world(), worker.options());
     let Some(sky) = &world.atmosphere.sky else { return };
     let points = Points::from(each_lane(|i| sky.sky_from_world.point(four[i].path.ray.direction)));

@@ -24,7 +24,7 @@ use super::worker::Worker;
 use crate::compiled::geometry::{Hit, Surface};
 use crate::compiled::texture::Frame;
 use crate::math::Rgb;
-use air::through_air;
+use air::through_media;
 use secondary::{Boundary, Refraction, mirrored};
 use surface::{Mirror, Shaded, shade};
 
@@ -73,7 +73,7 @@ pub(super) fn reflected<G: Gather>(
         found.add_scaled(&of_texture, seen.weight);
     }
     found.note_hit(surface, hit.t, vertex.facing);
-    through_air(worker, path, hit.t, &mut found);
+    through_media(worker, path, hit.t, surface, &mut found);
     found
 }
 
