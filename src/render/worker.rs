@@ -39,6 +39,7 @@ impl<'w> Worker<'w> {
     }
 
     /// Weight below which a path ends.
+    #[inline]
     pub(super) fn adc_bailout(&self, path: &Path) -> f32 {
         match &self.prepared.radiosity {
             Some(radiosity) if path.bounce > 0 => radiosity.settings.adc_bailout as f32,
@@ -47,12 +48,14 @@ impl<'w> Worker<'w> {
     }
 
     /// Level from which on a path goes no farther.
+    #[inline]
     pub(super) fn max_level(&self, path: &Path) -> u32 {
         let most = self.prepared.world.settings.max_trace_level;
         self.prepared.radiosity.as_ref().map_or(most, |radiosity| radiosity.settings.max_level(path.bounce, most))
     }
 
     /// What a surface with this finish gives without any light.
+    #[inline]
     pub(super) fn own_light(&self, finish: &Finish) -> Rgb {
         match &self.prepared.radiosity {
             Some(radiosity) if radiosity.settings.replaces_ambient => finish.emission,
@@ -61,12 +64,14 @@ impl<'w> Worker<'w> {
     }
 
     /// Whether fog, rainbows and media lie on a path.
+    #[inline]
     pub(super) fn has_air(&self, path: &Path) -> bool {
         let passes = path.bounce == 0 || self.prepared.radiosity.as_ref().is_some_and(|r| r.settings.media);
         passes && self.prepared.options.atmosphere()
     }
 
     /// Whether it matters what lights give at the end of a path: where only places are looked for, it does not.
+    #[inline]
     pub(super) fn wants_lights(&self, path: &Path) -> bool {
         path.bounce > 0 || self.gathering.phase == Phase::Picture
     }
