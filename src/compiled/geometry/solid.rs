@@ -10,7 +10,7 @@
 use super::Geometry;
 use super::graph::{Node, NodeKind, Operation, RayMask};
 use super::record::RayKind;
-use super::shape::{Primitive as _, ShapeHits};
+use super::shape::{Primitive as _, Shape, ShapeHits};
 use super::slab::SlabRay;
 use super::span::Confines;
 use super::walk::LastShadow;
@@ -188,7 +188,7 @@ impl Search<'_> {
                 return false;
             }
             let Some(parent) = node.parent else { return true };
-            if !self.is_left_by_others(parent.node, parent.position as usize, crossing.t, point) {
+            if !self.is_left_by_others(parent.node, parent.position as usize, crossing, point) {
                 return false;
             }
             node = &geometry.nodes[parent.node];
@@ -196,7 +196,7 @@ impl Search<'_> {
     }
 
     /// Whether the other children of a node leave a crossing of the child at `position`.
-    fn is_left_by_others(&mut self, id: NodeId, position: usize, t: f64, point: DVec3) -> bool {
+    fn is_left_by_others(&mut self, id: NodeId, position: usize, crossing: &Crossing, point: DVec3) -> bool {
         let geometry = self.geometry;
         let NodeKind::Csg { operation, children, parts, .. } = &geometry.nodes[id].kind else {
             return true;
@@ -208,7 +208,7 @@ impl Search<'_> {
         let mut leaves = |other: usize| {
             let leaves = other == position
                 || geometry.leaves(*operation, children[other], point, self.kind)
-                || self.share_a_face(children[position], children[other], t);
+                || self.share_a_face(children[position], children[other], crossing);
             if !leaves {
                 remover = Some(other);
             }
@@ -229,10 +229,17 @@ impl Search<'_> {
 
     /// Whether the ray enters two children, or leaves them, at the same place, as far as numbers tell: there rounding
     /// would decide whether one is inside of the other, and leave holes where both have the same face.
-    fn share_a_face(&self, child: NodeId, other: NodeId, t: f64) -> bool {
+    ///
+    /// Not for faces along the axes: their coordinates are exact, and POV-Ray's rule is for all rays the same.
+    fn share_a_face(&self, child: NodeId, other: NodeId, crossing: &Crossing) -> bool {
         /// What a crossing may be off by, about, as a part of the coordinates that go into it.
         const ROUNDING: f64 = gamma(8);
-        let Ray { origin, direction } = self.ray.ray;
+        let primitive = &self.geometry.primitives[crossing.primitive];
+        let is_flat = matches!(primitive.shape, Shape::Cuboid(_) | Shape::Plane(_));
+        if is_flat && primitive.group_from_local.is_none() {
+            return false;
+        }
+        let (Ray { origin, direction }, t) = (self.ray.ray, crossing.t);
         let reach = (origin.abs() + (*direction * t).abs()).max_element();
         let off = ROUNDING * reach / direction.abs().max_element();
         let ends = [t - off, t + off].map(|t| self.ray.ray.at(t));

@@ -7,7 +7,6 @@ use super::segment::{Lit, Part, for_each_part};
 use super::settling::Settling;
 use crate::compiled::medium::{Medium, Method, Sampling};
 use crate::math::{DVec3, LANES, Ray, Rgb, each_lane, gray};
-use smallvec::{SmallVec, smallvec};
 
 /// A piece of a ray within media.
 #[derive(Clone, Copy)]
@@ -61,16 +60,27 @@ pub(super) fn transmittance(segment: Segment<'_>, number: impl FnMut() -> f64) -
     let once = media.iter().all(|medium| medium.ends_plain);
     let mut depth = Rgb::ZERO;
     for_each_part(segment.length, &[], march.master, march.has_density, |part| {
-        depth += if once { march.once(&part) } else { march.part(&part).depth };
+        depth += if once { march.once(&part) } else { march.depth(&part) };
     });
     (-depth).exp()
 }
 
 /// Samples that are taken together.
-const BATCH: usize = 32;
+const BATCH: usize = 16;
 
-/// Places of a part, 0 being its start and 1 its end.
-type Places = SmallVec<[f64; BATCH]>;
+/// Steps of method 3 in a part.
+fn n_steps(min_samples: u32) -> u32 {
+    (min_samples / 2).saturating_add(1).max(2)
+}
+
+/// Extinction so far, and points that wait until there are enough to look at together.
+#[derive(Default)]
+struct Taken {
+    points: [DVec3; LANES],
+    weights: [f32; LANES],
+    n: usize,
+    extinction: Rgb,
+}
 
 /// What all media do at a point, per unit length.
 #[derive(Clone, Copy, Debug, Default)]
@@ -160,30 +170,85 @@ where
 
     /// Optical depth of a part by one sample.
     fn once(&mut self, part: &Part) -> Rgb {
-        let number = (self.number)();
-        let place = match self.master.method {
-            Method::Even => (0.5 + number * self.master.jitter) / f64::from(self.master.min_samples),
-            Method::Random | Method::Adaptive => number,
-        };
+        let place = self.place(0);
         self.sample(part, place).depth
+    }
+
+    /// Where sample number `j` lies: at an even distance for method 2, else anywhere.
+    fn place(&mut self, j: u32) -> f64 {
+        let Sampling { method, min_samples, jitter, .. } = *self.master;
+        match method {
+            Method::Even if jitter == 0.0 => (f64::from(j) + 0.5) / f64::from(min_samples),
+            Method::Even => (f64::from(j) + 0.5 + (self.number)() * jitter) / f64::from(min_samples),
+            Method::Random | Method::Adaptive => (self.number)(),
+        }
+    }
+
+    /// Optical depth of a part, by the places and weights that its method comes to where nothing is halved.
+    fn depth(&mut self, part: &Part) -> Rgb {
+        let min_samples = self.master.min_samples;
+        let mut taken = Taken::default();
+        if self.master.method != Method::Adaptive {
+            for j in 0..min_samples {
+                let place = self.place(j);
+                self.take(part, place, 1.0 / min_samples as f32, &mut taken);
+            }
+            return self.depth_of(part, taken);
+        }
+        let n = n_steps(min_samples);
+        let (step, share) = (1.0 / (f64::from(n) + 1.0), 1.0 / (3.0 * n as f32));
+        for j in 0..=n {
+            let place = self.displaced(f64::from(j) * step, step);
+            self.take(part, place, if j == 0 || j == n { share } else { 2.0 * share }, &mut taken);
+            if j < n {
+                let middle = self.displaced((f64::from(j) + 0.5) * step, step);
+                self.take(part, middle, share, &mut taken);
+            }
+        }
+        self.depth_of(part, taken)
+    }
+
+    /// Takes a sample of extinction, with others.
+    fn take(&self, part: &Part, place: f64, weight: f32, taken: &mut Taken) {
+        taken.points[taken.n] = self.segment.ray.at(part.from + place * part.length);
+        taken.weights[taken.n] = weight;
+        taken.n += 1;
+        if taken.n == LANES {
+            self.look(taken);
+        }
+    }
+
+    /// Adds what is at the points so far.
+    fn look(&self, taken: &mut Taken) {
+        for medium in self.segment.media {
+            let densities = medium.densities_at(&taken.points);
+            let mean: Rgb = densities.iter().zip(taken.weights).map(|(density, weight)| weight * *density).sum();
+            taken.extinction += mean * medium.extinction;
+        }
+        (taken.weights, taken.n) = ([0.0; LANES], 0);
+    }
+
+    fn depth_of(&self, part: &Part, mut taken: Taken) -> Rgb {
+        if taken.n > 0 {
+            self.look(&mut taken);
+        }
+        taken.extinction * part.length as f32
     }
 
     /// Methods 1 and 2: the mean of samples, each weakened by what lies before it.
     fn averaged(&mut self, part: &Part) -> Sample {
-        let Sampling { min_samples, max_samples, jitter, method, .. } = *self.master;
+        let Sampling { min_samples, max_samples, .. } = *self.master;
         let mut sums = Sums::default();
-        let mut places = Places::new();
-        for j in 0..min_samples {
-            let number = (self.number)();
-            places.push(match method {
-                Method::Even => (f64::from(j) + 0.5 + number * jitter) / f64::from(min_samples),
-                Method::Random | Method::Adaptive => number,
-            });
-            if places.len() == BATCH || j + 1 == min_samples {
-                let samples = self.samples(part, &places);
-                samples.into_iter().zip(&places).for_each(|(sample, place)| sums.add(sample.weakened(*place)));
-                places.clear();
+        let (mut places, mut samples) = ([0.0; BATCH], [Sample::default(); BATCH]);
+        let mut j = 0;
+        while j < min_samples {
+            let n = BATCH.min((min_samples - j) as usize);
+            for place in &mut places[..n] {
+                *place = self.place(j);
+                j += 1;
             }
+            self.samples(part, &places[..n], &mut samples);
+            samples.iter().zip(&places[..n]).for_each(|(sample, place)| sums.add(sample.weakened(*place)));
         }
         if let Some(settling) = self.settling.filter(|_| max_samples > min_samples) {
             while sums.n <= max_samples && !sums.are_enough(settling) {
@@ -196,20 +261,22 @@ where
 
     /// Method 3: steps of equal length, which leave out the last piece of the part.
     fn stepped(&mut self, part: &Part) -> Sample {
-        let n = (self.master.min_samples / 2).saturating_add(1).max(2);
+        let n = n_steps(self.master.min_samples);
         let step = 1.0 / (f64::from(n) + 1.0);
         let mut sum = Sample::default();
-        let mut start = self.displaced(0.0, step);
-        let mut low = self.sample(part, start);
+        let (mut places, mut samples) = ([0.0; BATCH], [Sample::default(); BATCH]);
+        let first = self.displaced(0.0, step);
+        let mut low = self.sample(part, first);
         let mut j = 0;
         while j < n {
-            // The ends and middles of some steps, which all are looked at.
-            let steps = j..n.min(j + BATCH as u32 / 2);
-            let places: Places = steps.clone().flat_map(|j| [f64::from(j) + 0.5, f64::from(j) + 1.0]).collect();
-            let displaced: Places = places.iter().map(|place| self.displaced(place * step, step)).collect();
-            let samples = self.samples(part, &displaced);
-            for (k, two) in steps.zip(samples.chunks_exact(2)) {
-                start = f64::from(k) * step;
+            // The middles and ends of some steps, which all are looked at.
+            let n_places = BATCH.min(2 * (n - j) as usize);
+            for (k, place) in places[..n_places].iter_mut().enumerate() {
+                *place = self.displaced((f64::from(j) + 0.5 * (k + 1) as f64) * step, step);
+            }
+            self.samples(part, &places[..n_places], &mut samples);
+            for two in samples[..n_places].chunks_exact(2) {
+                let start = f64::from(j) * step;
                 let mean = self.mean(part, (start, low), two[0], (start + step, two[1]), self.master.depth);
                 sum.light += mean.light * (-sum.depth / n as f32).exp();
                 sum.depth += mean.depth;
@@ -239,21 +306,22 @@ where
 
     /// A place, displaced by at most half of a distance.
     fn displaced(&mut self, place: f64, distance: f64) -> f64 {
-        let number = (self.number)();
-        place + self.master.jitter * (number - 0.5) * distance
+        match self.master.jitter {
+            0.0 => place,
+            jitter => place + jitter * ((self.number)() - 0.5) * distance,
+        }
     }
 
     /// What is found at places of a part, at most [`BATCH`].
-    fn samples(&mut self, part: &Part, places: &[f64]) -> SmallVec<[Sample; BATCH]> {
-        if self.uniform.is_some() {
-            return places.iter().map(|place| self.sample(part, *place)).collect();
+    fn samples(&mut self, part: &Part, places: &[f64], samples: &mut [Sample; BATCH]) {
+        let mut sums = [self.uniform.unwrap_or_default(); BATCH];
+        if self.uniform.is_none() {
+            self.add_coefficients(part, places, &mut sums);
         }
-        let distances: Places = places.iter().map(|place| part.from + place * part.length).collect();
-        let points: SmallVec<[DVec3; BATCH]> =
-            distances.iter().map(|distance| self.segment.ray.at(*distance)).collect();
-        let found = self.coefficients_at(&points);
-        let each = found.iter().zip(distances.iter().zip(&points));
-        each.map(|(found, (distance, point))| self.lit(part, *distance, *point, *found)).collect()
+        for ((place, sum), sample) in places.iter().zip(sums).zip(samples) {
+            let distance = part.from + place * part.length;
+            *sample = self.lit(part, distance, self.segment.ray.at(distance), sum);
+        }
     }
 
     /// What is found at a place of a part, 0 being its start and 1 its end.
@@ -282,16 +350,15 @@ where
     }
 
     /// Coefficients at points, one medium after the other: neighbours along a ray have much in common.
-    fn coefficients_at(&self, points: &[DVec3]) -> SmallVec<[Coefficients; BATCH]> {
-        let mut sums: SmallVec<[Coefficients; BATCH]> = smallvec![Coefficients::default(); points.len()];
+    fn add_coefficients(&self, part: &Part, places: &[f64], sums: &mut [Coefficients; BATCH]) {
         for medium in self.segment.media {
-            for (points, sums) in points.chunks(LANES).zip(sums.chunks_mut(LANES)) {
-                let lanes = each_lane(|i| points[i.min(points.len() - 1)]);
-                let densities = medium.densities_at(&lanes);
+            for (places, sums) in places.chunks(LANES).zip(sums.chunks_mut(LANES)) {
+                let point = |place: f64| self.segment.ray.at(part.from + place * part.length);
+                let points = each_lane(|i| point(places[i.min(places.len() - 1)]));
+                let densities = medium.densities_at(&points);
                 sums.iter_mut().zip(densities).for_each(|(sum, density)| sum.add(medium, density));
             }
         }
-        sums
     }
 
     /// Light from all sources, as much of each as media turn into the direction of the ray.
