@@ -32,7 +32,7 @@ pub(in crate::render) enum Term {
 }
 
 /// How many terms there are.
-pub(in crate::render) const N_TERMS: usize = 7;
+pub(in crate::render) const N_TERMS: usize = Term::Media as usize + 1;
 
 /// Something that light is gathered in.
 pub(in crate::render) trait Gather: Mix + Clone + Send + Sync {

@@ -125,9 +125,10 @@ fn solids() {
         "difference { sphere { 0, 2 } difference { sphere { 0, 1 } sphere { 0, .5 } } }",
         &[("0", 1.0), (".7*z", 0.0), ("1.5*z", 1.0)],
     );
-    // What coincides: boxes hold their boundary, spheres do not.
+    // What coincides: boxes hold their boundary. POV-Ray's spheres do not, and it misses what two of them have in common
+    // wherever rounding does not help; here they have one surface.
     let both = |word: &str, a: &str| format!("{word} {{ {a} {a} }}");
-    missed(&both("intersection", "sphere { 0, 1 }"), "-5*z, z");
+    depth(&both("intersection", "sphere { 0, 1 }"), "-5*z", -1.0, None);
     depth(&both("intersection", "box { -1, 1 }"), "-5*z", -1.0, None);
     missed(&both("merge", "box { -1, 1 }"), "-5*z, z");
     depth(&both("merge", "sphere { 0, 1 }"), "-5*z", -1.0, None);
