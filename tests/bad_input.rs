@@ -141,7 +141,10 @@ fn copies_of_copies() -> std::io::Result<()> {
     ] {
         check(doubled(first, step, &format!("sphere {{ 0 1 {end} }}")).as_bytes(), &inside)?;
     }
-    check(doubled("texture { pigment { rgbt .5 } }", "texture { A } texture { A }", "").as_bytes(), &["1000000 layers"])?;
+    check(
+        doubled("texture { pigment { rgbt .5 } }", "texture { A } texture { A }", "").as_bytes(),
+        &["1000000 layers"],
+    )?;
     check(doubled("\"ab\"", "concat(A, A)", "#debug A").as_bytes(), &["string_bytes=N"])?;
     // What is shared may be asked about: the error comes behind it.
     let asks = "#declare E = max_extent(A) + trace(A, -5*z, z); #declare I = inside(A, <0, 0, 0>);\nobject { B }";

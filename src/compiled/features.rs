@@ -71,6 +71,11 @@ impl Features {
         self.optical_interiors > 0 || self.filled_interiors > 0 || self.airs > 0
     }
 
+    /// Whether there are fog, rainbows or media anywhere.
+    pub fn has_air(&self) -> bool {
+        self.airs > 0 || self.filled_interiors > 0
+    }
+
     /// Whether rays know which objects they are in.
     pub fn interiors_matter(&self) -> bool {
         self.bends_light() || self.kept.holds(Omission::Interiors)

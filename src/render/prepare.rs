@@ -28,6 +28,8 @@ pub(super) struct Prepared<'w> {
     pub(super) radiosity: Option<Shared<'w>>,
     /// Of each medium, when samples are enough.
     pub(super) settling: Vec<Settling>,
+    /// Whether there are fog, rainbows or media anywhere, and they count.
+    pub(super) has_air: bool,
     /// Whether neighbours among camera rays may share work.
     pub(super) side_by_side: bool,
 }
@@ -46,6 +48,7 @@ impl<'w> Prepared<'w> {
             camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
             radiosity: world.radiosity.as_ref().filter(|_| options.indirect_light()).map(Shared::new),
             settling: world.media.iter().map(|medium| Settling::new(&medium.sampling)).collect(),
+            has_air: options.atmosphere() && features.has_air(),
             side_by_side: one_ray_a_position(world)
                 && (features.side_by_side_sky || features.side_by_side_textures > 0),
         }

@@ -66,8 +66,8 @@ impl<'w> Worker<'w> {
     /// Whether fog, rainbows and media lie on a path.
     #[inline]
     pub(super) fn has_air(&self, path: &Path) -> bool {
-        let passes = path.bounce == 0 || self.prepared.radiosity.as_ref().is_some_and(|r| r.settings.media);
-        passes && self.prepared.options.atmosphere()
+        let passes = || path.bounce == 0 || self.prepared.radiosity.as_ref().is_some_and(|r| r.settings.media);
+        self.prepared.has_air && passes()
     }
 
     /// Whether it matters what lights give at the end of a path: where only places are looked for, it does not.

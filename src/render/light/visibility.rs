@@ -69,9 +69,11 @@ fn arriving<P: Place>(
         return color;
     }
     // Behind the plane of a parallel light, at a negative distance, there is no fog (measured).
-    let fogged = light.media_attenuation && distance > 0.0;
     let atmosphere = &worker.world().atmosphere;
-    let fogged = fogged && worker.has_air(place.path()) && !(atmosphere.fogs.is_empty() && atmosphere.media.is_empty());
+    let fogged = worker.has_air(place.path())
+        && light.media_attenuation
+        && distance > 0.0
+        && !(atmosphere.fogs.is_empty() && atmosphere.media.is_empty());
     let way = Way { direction, reach, fogged: fogged.then_some(distance), light: index };
     color_after(worker, place, way, color)
 }
@@ -101,7 +103,7 @@ fn color_after<P: Place>(worker: &mut Worker<'_>, place: &P, way: Way, mut color
         Some(length) if inside.are_hollow() => fog_transmittance(world, ray, length),
         _ => Rgb::ONE,
     };
-    let fills = world.features.filled_interiors > 0 && worker.has_air(place.path());
+    let fills = worker.has_air(place.path()) && world.features.filled_interiors > 0;
     let atmosphere = |ray: &Ray, length: Option<f64>, n: u32| match length {
         Some(length) if !world.atmosphere.media.is_empty() => {
             passage(world, place, (ray, length), n).transmittance(world.atmosphere.media.clone())

@@ -35,8 +35,10 @@ pub(super) fn through_media<G: Gather>(
     surface: &Surface,
     found: &mut G,
 ) {
+    if !worker.has_air(path) {
+        return;
+    }
     if worker.world().features.filled_interiors > 0
-        && worker.has_air(path)
         && let Some(air) = filled(worker, path, length, surface.light_group)
     {
         found.pass(Term::Media, &air);
