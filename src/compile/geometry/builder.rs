@@ -15,7 +15,7 @@ use crate::compiled::Table;
 use crate::compiled::geometry::{
     Cuboid, Geometry, Group, GroupBuilder, GroupId, Instance, InteriorId, Item, ItemKind, LightGroupId,
     MAX_INSTANCE_DEPTH, MeshTree, Node, NodeId, NodeKind, ObjectId, Operation, Parent, Parts, PlacementId, Primitive,
-    PrimitiveId, Shape as Compiled, TextureId, padded,
+    PrimitiveId, RayMask, Shape as Compiled, TextureId, padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
@@ -188,18 +188,23 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// Whether any ray sees an object, or it is kept although none does.
+    fn is_wanted(&mut self, hidden_from: RayMask) -> bool {
+        !hidden_from.is_all(self.with_radiosity) || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
+    }
+
     fn push_primitive(&mut self, id: PrimitiveId, inside: &Context, items: &mut GroupBuilder) {
+        let hidden_from = inside.hidden_from();
+        if !self.is_wanted(hidden_from) {
+            return;
+        }
         let primitive = &self.geometry.primitives[id];
         let kind = match (&primitive.shape, &primitive.group_from_local) {
             (Compiled::Sphere(sphere), None) => ItemKind::Sphere(*sphere, id),
             (Compiled::Plane(plane), None) => ItemKind::Plane(*plane, id),
             _ => ItemKind::Primitive(id),
         };
-        if !inside.hidden_from().is_all(self.with_radiosity)
-            || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
-        {
-            items.push(Item { kind, hidden_from: inside.hidden_from() }, &primitive.bounds());
-        }
+        items.push(Item { kind, hidden_from }, &primitive.bounds());
     }
 
     fn place_solid(&mut self, object: &Object, around: &Context, items: &mut GroupBuilder) {
@@ -210,11 +215,10 @@ impl<'a> Builder<'a> {
             self.link(root);
             let node = &self.geometry.nodes[root];
             let hidden_from = node.hidden_from;
-            if hidden_from.is_all(self.with_radiosity) && self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
-            {
+            let mut bounds = node.bounds;
+            if !self.is_wanted(hidden_from) {
                 return;
             }
-            let mut bounds = node.bounds;
             if bounds.is_empty() {
                 if self.ledger.omits(Omission::EmptySolids, size_of::<Item>()) {
                     return;
@@ -304,9 +308,7 @@ impl<'a> Builder<'a> {
         let parent_from_group = inside.group_from_parent;
         let bounds = padded(parent_from_group.bounds(&self.geometry.groups[shared.group].bounds));
         let instance = self.geometry.instances.push(Instance { group: shared.group, parent_from_group, appearance });
-        if !inside.hidden_from().is_all(self.with_radiosity)
-            || !self.ledger.omits(Omission::HiddenObjects, size_of::<Item>())
-        {
+        if self.is_wanted(inside.hidden_from()) {
             items.push(Item { kind: ItemKind::Instance(instance), hidden_from: inside.hidden_from() }, &bounds);
         }
         true

@@ -22,7 +22,9 @@ const IN_ATMOSPHERE: u32 = 1;
 pub(in crate::render) fn escaped<G: Gather>(worker: &mut Worker<'_>, path: &Path, sky: Radiance) -> G {
     let mut found = G::default();
     found.add(Term::Background, sky);
-    through_air(worker, path, MISS_LENGTH, None, &mut found);
+    if worker.has_air(path) {
+        through_air(worker, path, MISS_LENGTH, None, &mut found);
+    }
     found
 }
 
@@ -55,7 +57,7 @@ fn through_air<G: Gather>(
     group: Option<LightGroupId>,
     found: &mut G,
 ) {
-    if !worker.has_air(path) || !path.interiors.are_hollow() {
+    if !path.interiors.are_hollow() {
         return;
     }
     if !worker.world().atmosphere.media.is_empty() {
