@@ -9,7 +9,7 @@ use crate::compiled::geometry::{InteriorId, LightGroupId, TextureId, Touching};
 use crate::compiled::interior::{Interior, InteriorFade};
 use crate::compiled::medium::Medium;
 use crate::compiled::texture::Texture;
-use crate::compiled::{Features, Group, Settings, Table, Transfer, World};
+use crate::compiled::{Features, Settings, Table, Transfer, World};
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::noise::Octaves;
 use crate::math::{Color, DVec3};
@@ -71,7 +71,8 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
     let mut media = Vec::new();
     let interiors = note(compiled_interiors(&interiors, &mut compiler, &mut media), &mut errors);
     let atmosphere = note(atmosphere(scene, &mut compiler, &mut media), &mut errors);
-    let (lights, n_global_lights, groups) = place_lights(lights, &light_groups, &mut warnings)?;
+    let Lights { all: lights, global: global_lights, of_groups: group_lights } =
+        place_lights(lights, &light_groups, &mut warnings)?;
     warn_about_light(scene, &mut warnings);
     let (Some(camera), Some(interiors), Some(atmosphere), true) = (camera, interiors, atmosphere, errors.is_empty())
     else {
@@ -89,8 +90,8 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
         interiors,
         media,
         lights,
-        n_global_lights,
-        groups,
+        global_lights,
+        group_lights,
         camera,
         atmosphere,
         settings: settings(&scene.settings),
@@ -135,12 +136,19 @@ fn note<T>(result: Result<T, Refusal>, errors: &mut Vec<Diagnostic>) -> Option<T
     result.map_err(|refusal| errors.push(refusal.diagnostic())).ok()
 }
 
+/// All lights, and which of them shine outside of groups and in each.
+struct Lights {
+    all: Vec<crate::compiled::light::Light>,
+    global: Vec<usize>,
+    of_groups: Table<LightGroupId, Vec<usize>>,
+}
+
 /// Global lights first, then those of each group.
 fn place_lights(
     placed: Vec<PlacedLight>,
     groups: &Table<LightGroupId, super::geometry::LightGroup>,
     warnings: &mut Vec<Diagnostic>,
-) -> SourceResult<(Vec<crate::compiled::light::Light>, usize, Table<LightGroupId, Group>)> {
+) -> SourceResult<Lights> {
     let mut lights = Vec::with_capacity(placed.len());
     let mut add = |members: &mut dyn Iterator<Item = &PlacedLight>| -> SourceResult<std::ops::Range<usize>> {
         let first = lights.len();
@@ -150,14 +158,15 @@ fn place_lights(
         }
         Ok(first..lights.len())
     };
-    let global = add(&mut placed.iter().filter(|l| l.group.is_none()))?;
-    let mut compiled = Table::with_capacity(groups.len());
+    let global: Vec<usize> = add(&mut placed.iter().filter(|l| l.group.is_none()))?.collect();
+    let mut of_groups = Table::with_capacity(groups.len());
     for group in groups.iter() {
-        let id = compiled.next_handle();
-        let lights = add(&mut placed.iter().filter(|l| l.group == Some(id)))?;
-        compiled.push(Group { lights, global_lights: group.global_lights });
+        let id = of_groups.next_handle();
+        let own = add(&mut placed.iter().filter(|l| l.group == Some(id)))?;
+        let shared = global.iter().copied().filter(|_| group.global_lights);
+        of_groups.push(shared.chain(own).collect());
     }
-    Ok((lights, global.end, compiled))
+    Ok(Lights { all: lights, global, of_groups })
 }
 
 /// One for each, of which those of one statement are the same in memory, as most objects have the one that was never

@@ -1,6 +1,6 @@
 //! What fills an object: refraction, attenuation, faked caustics.
 
-use crate::math::Rgb;
+use crate::math::{Rgb, power};
 use std::ops::Range;
 
 /// An interior with its defaults resolved.
@@ -50,7 +50,7 @@ impl InteriorFade {
             let depth = ratio as f32;
             return ((self.color - Rgb::ONE) * depth).exp();
         }
-        let share = 1.0 / (1.0 + ratio.powf(self.power));
+        let share = 1.0 / (1.0 + power(ratio, self.power));
         self.color + (Rgb::ONE - self.color) * share as f32
     }
 }

@@ -3,7 +3,7 @@
 //! Space: world. Source: section 3 of the shading facts (measured).
 
 use super::geometry::Geometry;
-use crate::math::{DVec3, Rgb};
+use crate::math::{DVec3, Rgb, power};
 
 /// A light source.
 #[derive(Debug)]
@@ -157,7 +157,7 @@ impl Light {
         match self.fade {
             // Points behind a parallel light have no distance from it: POV-Ray's result there is
             // meaningless or NaN, ours is as if they were at the light.
-            Some((reference, exponent)) => 2.0 / (1.0 + (distance.max(0.0) / reference).powf(exponent)),
+            Some((reference, exponent)) => 2.0 / (1.0 + power(distance.max(0.0) / reference, exponent)),
             None => 1.0,
         }
     }
@@ -188,10 +188,6 @@ impl Area {
         }
         a * axis1 + b * axis2
     }
-}
-
-fn power(base: f64, exponent: f64) -> f64 {
-    if exponent == 0.0 { 1.0 } else { base.powf(exponent) }
 }
 
 /// 0 up to `low`, 1 from `high` on, smooth between.

@@ -3,7 +3,7 @@
 //! Space: world. Source: `docs/povray/media.md`, sections 1 and 3 (measured).
 
 use super::texture::{Context, Pigment};
-use crate::math::{DVec3, LANES, Rgb, Uv};
+use crate::math::{DVec3, LANES, Rgb, Uv, power};
 
 /// One medium; all its coefficients are per unit length and are weighted by its density.
 #[derive(Clone, Debug)]
@@ -99,7 +99,7 @@ impl Phase {
             Self::Hazy => 0.576_655_375 * (1.0 + 9.0 * (0.5 * (1.0 + cosine)).powi(8)),
             Self::Murky => 0.495_714_547 * (1.0 + 50.0 * (0.5 * (1.0 + cosine)).powi(32)),
             Self::Rayleigh => 0.799_372_013 * (1.0 + cosine * cosine),
-            Self::HenyeyGreenstein(g) => (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5),
+            Self::HenyeyGreenstein(g) => (1.0 - g * g) / power(1.0 + g * g - 2.0 * g * cosine, 1.5),
         }
     }
 }

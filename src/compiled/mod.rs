@@ -24,4 +24,4 @@ pub type Function = crate::function::Function<texture::PointFunction>;
 pub use features::Features;
 pub use handle::{Handle, Table};
 pub use labels::Labels;
-pub use world::{Group, Settings, Transfer, World};
+pub use world::{Settings, Transfer, World};

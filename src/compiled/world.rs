@@ -29,10 +29,10 @@ pub struct World {
     pub media: Vec<Medium>,
     /// Lights of the whole scene, in file order, then those of groups.
     pub lights: Vec<Light>,
-    /// How many of `lights` are global.
-    pub n_global_lights: usize,
-    /// Which lights are in a group, and whether global ones shine there, too.
-    pub groups: Table<LightGroupId, Group>,
+    /// Indices of those that shine outside of groups.
+    pub global_lights: Vec<usize>,
+    /// Of each group, indices of the lights that shine there.
+    pub group_lights: Table<LightGroupId, Vec<usize>>,
     /// Where the picture is taken from.
     pub camera: Camera,
     /// Sky and fog.
@@ -57,21 +57,12 @@ impl World {
             ("textures", self.textures.len()),
             ("interiors", self.interiors.len()),
             ("lights", self.lights.len()),
-            ("lights of groups", self.lights.len() - self.n_global_lights.min(self.lights.len())),
-            ("light groups", self.groups.len()),
+            ("lights of groups", self.lights.len() - self.global_lights.len()),
+            ("light groups", self.group_lights.len()),
         ]);
         summary.extend(self.features.summary());
         summary
     }
-}
-
-/// Lights of one light group.
-#[derive(Clone, Debug, Default)]
-pub struct Group {
-    /// Indices into the lights.
-    pub lights: std::ops::Range<usize>,
-    /// Global lights shine there, too.
-    pub global_lights: bool,
 }
 
 /// Limits and constants of shading.
@@ -125,9 +116,7 @@ impl World {
     }
 
     /// Indices of the lights that shine on a member of a group, or on anything outside of groups.
-    pub fn lights_for(&self, group: Option<LightGroupId>) -> impl Iterator<Item = usize> + use<> {
-        let group = group.map(|g| self.groups[g].clone());
-        let global = group.as_ref().is_none_or(|g| g.global_lights);
-        (0..if global { self.n_global_lights } else { 0 }).chain(group.map_or(0..0, |g| g.lights))
+    pub fn lights_for(&self, group: Option<LightGroupId>) -> &[usize] {
+        group.map_or(&self.global_lights, |group| &self.group_lights[group])
     }
 }

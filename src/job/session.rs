@@ -103,10 +103,6 @@ impl Session {
         let keeping = state.as_ref().map(|state| state::Keeping { observer, state });
         let observer = keeping.as_ref().map_or(observer, |keeping| keeping as &dyn Observer);
         let rendered = timings.time("render", || self.picture(&world, &options, observer));
-        if let Some(state) = state.as_ref().filter(|_| !rendered.complete) {
-            // What cannot be kept is made again.
-            let _ = state.flush();
-        }
         warnings.extend(watched.iter().filter_map(Watched::warning));
         let metadata = Metadata {
             software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
@@ -168,12 +164,9 @@ impl Session {
         };
         let save = || outputs.iter().try_for_each(save);
         let written = timings.time("write", || self.on_all_threads(save));
-        if let Some(state) = state {
-            match &written {
-                Ok(()) => state.discard(),
-                // The picture can still be written from its pieces, if those can.
-                Err(_) => drop(state.flush()),
-            }
+        // A picture that could not be written can still be, from its pieces.
+        if let Some(state) = state.as_ref().filter(|_| written.is_ok()) {
+            state.discard();
         }
         written
     }

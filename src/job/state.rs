@@ -20,7 +20,7 @@ const COUNTS: usize = 6 * 8;
 const SAMPLE: usize = 4 * 4;
 const CHECKSUM: usize = 8;
 
-/// How long a picture takes before its pieces are written; what takes less is made again as fast.
+/// How long a picture takes before its pieces are kept; what was made until then is made again as fast.
 const PATIENCE: Duration = Duration::from_millis(500);
 
 /// The pieces of one picture.
@@ -28,20 +28,20 @@ const PATIENCE: Duration = Duration::from_millis(500);
 pub(super) struct State {
     path: PathBuf,
     known: FxHashMap<Place, Piece>,
+    since: Instant,
     journal: Mutex<Journal>,
 }
 
 /// What is written piece by piece.
 #[derive(Debug)]
 struct Journal {
-    since: Instant,
     /// Bytes of the file that stay.
     valid: u64,
     /// Not written as yet.
     waiting: Vec<u8>,
     file: Option<File>,
-    /// Why nothing more is written.
-    failed: Option<io::Error>,
+    /// Nothing more is written: what cannot be kept is made again.
+    failed: bool,
 }
 
 /// The state file of a picture.
@@ -77,8 +77,8 @@ impl State {
             None => (FxHashMap::default(), 0, Earlier::Other),
         };
         let waiting = if valid > 0 { Vec::new() } else { head };
-        let journal = Journal { since: Instant::now(), valid: valid as u64, waiting, file: None, failed: None };
-        (Self { path, known, journal: Mutex::new(journal) }, earlier)
+        let journal = Journal { valid: valid as u64, waiting, file: None, failed: false };
+        (Self { path, known, since: Instant::now(), journal: Mutex::new(journal) }, earlier)
     }
 
     /// A panic of another thread does not matter to plain data.
@@ -92,11 +92,9 @@ impl State {
         let _ = std::fs::remove_file(&self.path);
     }
 
-    /// Writes what waits, however soon it is; says what went wrong first, if anything did.
-    pub(super) fn flush(&self) -> io::Result<()> {
-        let journal = &mut *self.journal();
-        journal.write(&self.path);
-        journal.failed.take().map_or(Ok(()), Err)
+    /// Whether the picture has taken so long that its pieces are worth more than what it costs to keep them.
+    fn keeps(&self) -> bool {
+        self.since.elapsed() >= PATIENCE
     }
 
     fn known(&self, place: Place) -> Option<Piece> {
@@ -106,20 +104,14 @@ impl State {
     fn keep(&self, piece: &Piece) {
         let journal = &mut *self.journal();
         append(&mut journal.waiting, piece);
-        if journal.since.elapsed() >= PATIENCE {
-            journal.write(&self.path);
-        }
+        journal.write(&self.path);
     }
 }
 
 impl Journal {
     /// Adds what waits to the file in one piece; after an error, nothing more.
     fn write(&mut self, path: &Path) {
-        if self.failed.is_none()
-            && let Err(error) = self.try_write(path)
-        {
-            self.failed = Some(error);
-        }
+        self.failed = self.failed || self.try_write(path).is_err();
         self.waiting.clear();
     }
 
@@ -208,7 +200,7 @@ impl Observer for Keeping<'_> {
     }
 
     fn keeps(&self) -> bool {
-        true
+        self.state.keeps()
     }
 
     fn keep(&self, piece: Piece) {
@@ -242,7 +234,6 @@ mod tests {
         let (state, earlier) = State::open(path.clone(), known, true);
         assert_eq!(earlier, Earlier::Nothing);
         (0..3).for_each(|x| state.keep(&piece(x)));
-        state.flush().unwrap();
         let mut bytes = std::fs::read(&path).unwrap();
         bytes[16] ^= identity;
         change(&mut bytes);

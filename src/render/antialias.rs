@@ -2,7 +2,7 @@
 //!
 //! Source: section 3 of the camera facts (measured, sample counts included).
 
-use super::enough::Contrast;
+use super::enough::{Compared, Contrast};
 use super::film::{BLOCK, Block, Gather};
 use super::jitter::jitter;
 use super::options::{Antialias, Method, Options, Region};
@@ -124,15 +124,17 @@ impl Antialias {
         let (x, y) = (left as f64 - 1.0, top as f64 - 1.0);
         let stride = width + 1;
         let mut pixels = base.part(samples, [x, y], stride, height + 1).collect::<Vec<_>>().concat();
+        let mut compared: Vec<Compared> = pixels.iter().map(|pixel| pixel.light().into()).collect();
         let mut refined: Vec<bool> = (0..pixels.len()).map(|at| at < stride || at % stride == 0).collect();
         let position = |at: usize| [x + (at % stride) as f64, y + (at / stride) as f64];
         for at in (stride..pixels.len()).filter(|at| at % stride != 0) {
             let neighbours = [at - 1, at - stride];
-            let differs = neighbours.map(|other| contrast.differ(&pixels[at].light(), &pixels[other].light()));
+            let differs = neighbours.map(|other| contrast.differ(&compared[at], &compared[other]));
             let both = neighbours.into_iter().zip(differs).filter(|(_, differs)| *differs).map(|(other, _)| other);
             for at in both.chain((differs[0] || differs[1]).then_some(at)) {
                 if !std::mem::replace(&mut refined[at], true) {
                     pixels[at] = self.refined(worker, std::mem::take(&mut pixels[at]), position(at));
+                    compared[at] = pixels[at].light().into();
                 }
             }
         }
@@ -201,7 +203,8 @@ impl Antialias {
     ) -> G {
         let contrast = self.contrast(worker);
         let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
-        let differ = |(a, b): &(usize, usize)| contrast.differ(&corners[*a].light(), &corners[*b].light());
+        let compared = corners.each_ref().map(|corner| Compared::from(corner.light()));
+        let differ = |(a, b): &(usize, usize)| contrast.differ(&compared[*a], &compared[*b]);
         if square.level == 0 || !pairs.iter().any(differ) {
             let mut mean = G::default();
             corners.iter().for_each(|c| mean.add_scaled(c, 0.25));

@@ -8,6 +8,7 @@
 use super::radiance::Radiance;
 use crate::compiled::Transfer;
 use crate::math::Rgb;
+use std::cell::OnceCell;
 use std::f64::consts::PI;
 
 /// Exponent of POV-Ray's `Antialias_Gamma`, in whose space colours are compared.
@@ -24,20 +25,35 @@ pub(super) struct Contrast {
     pub(super) transfer: Transfer,
 }
 
+/// A sample that is compared with others.
+#[derive(Clone, Debug)]
+pub(super) struct Compared {
+    light: Radiance,
+    /// Its colour where colours are compared, once somebody has asked: powers are dear.
+    display: OnceCell<Rgb>,
+}
+
+impl From<Radiance> for Compared {
+    fn from(light: Radiance) -> Self {
+        Self { light, display: OnceCell::new() }
+    }
+}
+
 impl Contrast {
     /// Whether two samples differ.
-    pub(super) fn differ(&self, a: &Radiance, b: &Radiance) -> bool {
-        // Most neighbours agree exactly, and powers are dear.
-        if a == b {
+    pub(super) fn differ(&self, a: &Compared, b: &Compared) -> bool {
+        // Most neighbours agree exactly.
+        if a.light == b.light {
             return self.threshold <= 0.0;
         }
-        let display = |v: f32| self.transfer.linear(v).max(0.0).powf(1.0 / COMPARE_GAMMA);
-        let distance = |a: Rgb, b: Rgb| {
-            (display(a.x) - display(b.x)).abs()
-                + (display(a.y) - display(b.y)).abs()
-                + (display(a.z) - display(b.z)).abs()
-        };
-        f64::from(distance(a.rgb, b.rgb) + (a.transparency - b.transparency).abs()) >= self.threshold
+        let d = (self.display(a) - self.display(b)).abs();
+        let transparency = (a.light.transparency - b.light.transparency).abs();
+        f64::from(d.x + d.y + d.z + transparency) >= self.threshold
+    }
+
+    fn display(&self, sample: &Compared) -> Rgb {
+        let of = |v: f32| self.transfer.linear(v).max(0.0).powf(1.0 / COMPARE_GAMMA);
+        *sample.display.get_or_init(|| sample.light.rgb.map(of))
     }
 }
 

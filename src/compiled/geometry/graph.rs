@@ -105,7 +105,7 @@ pub(crate) struct Group {
 }
 
 /// Items in a leaf: their tests are costly, boxes are cheap.
-const LEAF_SIZE: usize = 2;
+const LEAF_SIZE: usize = 1;
 
 /// A group under construction.
 #[derive(Debug)]

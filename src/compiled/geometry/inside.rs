@@ -13,21 +13,48 @@ pub enum Touching {
     /// No two are near each other.
     #[default]
     Nowhere,
-    /// In two of these boxes at once.
-    WhereBoxesMeet(Vec<Bounds>),
+    /// Where the boxes of two objects meet.
+    WhereBoxesMeet {
+        /// Around all such places.
+        around: Bounds,
+        /// One by one, each a box itself.
+        boxes: Vec<Bounds>,
+    },
     /// Nobody knows.
     Anywhere,
 }
 
 impl Touching {
-    /// More boxes take longer to look through than what they save.
+    /// More objects, or more places, take longer to look through than what they save.
     const MOST_BOXES: usize = 64;
+
+    /// Where two of some boxes meet.
+    fn between(objects: &[Bounds]) -> Self {
+        if objects.len() > Self::MOST_BOXES {
+            return Self::Anywhere;
+        }
+        let pairs =
+            objects.iter().enumerate().flat_map(|(k, a)| objects[k + 1..].iter().map(move |b| a.intersection(b)));
+        let mut boxes: Vec<Bounds> = pairs.filter(|common| !common.is_empty()).collect();
+        let around = boxes.iter().fold(Bounds::EMPTY, |sum, one| sum.union(one));
+        match boxes.len() {
+            0 => Self::Nowhere,
+            n => {
+                if n > Self::MOST_BOXES {
+                    boxes = vec![around];
+                }
+                Self::WhereBoxesMeet { around, boxes }
+            }
+        }
+    }
 
     /// Whether it may at a world point.
     pub fn is_at(&self, point: DVec3) -> bool {
         match self {
             Self::Nowhere => false,
-            Self::WhereBoxesMeet(boxes) => boxes.iter().filter(|bounds| bounds.contains(point)).nth(1).is_some(),
+            Self::WhereBoxesMeet { around, boxes } => {
+                around.contains(point) && boxes.iter().any(|common| common.contains(point))
+            }
             Self::Anywhere => true,
         }
     }
@@ -100,14 +127,7 @@ impl Geometry {
                 boxes.push(bounds);
             }
         }
-        let meet = |a: &Bounds, b: &Bounds| !a.intersection(b).is_empty();
-        if boxes.len() > Touching::MOST_BOXES {
-            Touching::Anywhere
-        } else if boxes.iter().enumerate().any(|(k, a)| boxes[k + 1..].iter().any(|b| meet(a, b))) {
-            Touching::WhereBoxesMeet(boxes)
-        } else {
-            Touching::Nowhere
-        }
+        Touching::between(&boxes)
     }
 
     /// The interior of a frame-level object, with its place in file order.

@@ -2,16 +2,23 @@
 
 use crate::math::{Bounds, DVec3, Range, Ray, gamma};
 
+/// What a coordinate of a point on a ray may be off by, as a part of the larger of what goes into it.
+const ROUNDING: f64 = gamma(32);
+
 /// A ray prepared for boxes.
 pub(super) struct SlabRay<'a> {
     pub(super) ray: &'a Ray,
     /// Reciprocals of the direction.
     inverse: DVec3,
+    /// The origin, moved up by its rounding to where lower planes are compared with it, and down for upper ones.
+    above: DVec3,
+    below: DVec3,
 }
 
 impl<'a> SlabRay<'a> {
     pub(super) fn new(ray: &'a Ray) -> Self {
-        Self { ray, inverse: ray.direction.recip() }
+        let rounding = ROUNDING * ray.origin.abs();
+        Self { ray, inverse: ray.direction.recip(), above: ray.origin + rounding, below: ray.origin - rounding }
     }
 
     /// The part of a range that may be inside a box; errs on the side of more.
@@ -19,23 +26,27 @@ impl<'a> SlabRay<'a> {
         if b.min.x == f64::NEG_INFINITY && *b == Bounds::INFINITE {
             return range;
         }
-        let (mut low, mut high) = (range.min, range.max);
+        let (lower, upper) = ((b.min - self.above) * self.inverse, (b.max - self.below) * self.inverse);
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..3 {
-            let (o, inverse) = (self.ray.origin[axis], self.inverse[axis]);
-            // Rounding of a point on the ray and of what follows here.
-            let min = b.min[axis] - gamma(16) * (b.min[axis].abs() + o.abs());
-            let max = b.max[axis] + gamma(16) * (b.max[axis].abs() + o.abs());
-            if inverse.is_finite() {
-                let (near, far) = if inverse < 0.0 { (max, min) } else { (min, max) };
-                let (enter, leave) = ((near - o) * inverse, (far - o) * inverse);
-                // NaN, from infinite bounds, leaves the interval as it is.
-                low = if enter > low { enter } else { low };
-                high = if leave < high { leave } else { high };
-            } else if o < min || o > max {
-                return Range::EMPTY;
-            }
+            let goes_down = self.inverse[axis] < 0.0;
+            let enter = if goes_down { upper[axis] } else { lower[axis] };
+            let leave = if goes_down { lower[axis] } else { upper[axis] };
+            // NaN, of a ray within a side of the box, leaves the interval as it is.
+            low = if enter > low { enter } else { low };
+            high = if leave < high { leave } else { high };
         }
-        Range { min: low, max: high }
+        // Along an axis beside the box.
+        if low == f64::INFINITY || high == f64::NEG_INFINITY {
+            return Range::EMPTY;
+        }
+        // What planes far from the origin are off by is a part of the way to them.
+        low *= 1.0 - ROUNDING.copysign(low);
+        high *= 1.0 + ROUNDING.copysign(high);
+        Range {
+            min: if low > range.min { low } else { range.min },
+            max: if high < range.max { high } else { range.max },
+        }
     }
 
     /// Whether the ray may meet a box within a range; errs on the side of yes.

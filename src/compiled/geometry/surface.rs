@@ -20,7 +20,7 @@ struct Inherited<'a> {
 }
 
 /// Where each part of an appearance was found: the number of instances around the object that gave it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Depths {
     texture: u8,
     interior_texture: u8,
@@ -187,7 +187,7 @@ impl Geometry {
         let from_inside = normal.dot(ray.direction) > 0.0;
 
         let inherited = self.appearance_of(primitive.appearance, &hit.path);
-        let appearance = &inherited.appearance;
+        let appearance: &Appearance = &inherited.appearance;
         let interior = inherited.interior_key(&hit.path);
         Surface {
             point,
@@ -253,20 +253,24 @@ impl Geometry {
     }
 
     /// An appearance with all that it inherits through the instances around it.
-    #[inline]
+    #[inline(always)]
     fn appearance_of(&self, appearance: AppearanceId, path: &Path) -> Inherited<'_> {
         let own = &self.appearances[appearance];
-        let depth = path.steps().len() as u8;
-        let depths = Depths { texture: depth, interior_texture: depth, interior: depth };
-        let mut inherited = Inherited { appearance: Cow::Borrowed(own), depths };
-        if depth > 0 {
-            let appearance = inherited.appearance.to_mut();
-            for (step, depth) in path.steps().iter().zip(0..depth).rev() {
-                let outer = &self.appearances[self.instances[*step].appearance];
-                inherit(appearance, &mut inherited.depths, outer, depth);
-            }
+        match path.steps() {
+            [] => Inherited { appearance: Cow::Borrowed(own), depths: Depths::default() },
+            steps => self.inherited(*own, steps),
         }
-        inherited
+    }
+
+    /// The same inside some instances.
+    fn inherited(&self, mut appearance: Appearance, steps: &[InstanceId]) -> Inherited<'_> {
+        let depth = steps.len() as u8;
+        let mut depths = Depths { texture: depth, interior_texture: depth, interior: depth };
+        for (step, depth) in steps.iter().zip(0..depth).rev() {
+            let outer = &self.appearances[self.instances[*step].appearance];
+            inherit(&mut appearance, &mut depths, outer, depth);
+        }
+        Inherited { appearance: Cow::Owned(appearance), depths }
     }
 
     /// Which textures show at a hit; `points` are the local and the group's coordinates.

@@ -7,7 +7,7 @@ use super::{
 use crate::compiled::Function;
 use crate::compiled::geometry::Geometry;
 use crate::math::noise::{NoiseGenerator, Octaves};
-use crate::math::{DVec3, LANES, Points, Uv, each_lane, fraction, round_to_even};
+use crate::math::{DVec3, LANES, Points, Uv, each_lane, fraction, power, round_to_even};
 use std::sync::Arc;
 
 /// A value for each point.
@@ -294,7 +294,7 @@ fn waved(v: f64, wave: Wave) -> f64 {
         Wave::Sine => (1.0 + (std::f64::consts::TAU * v).sin()) * 0.5,
         Wave::Scallop => (std::f64::consts::PI * v).sin().abs(),
         Wave::Cubic => v * v * (3.0 - 2.0 * v),
-        Wave::Poly(exponent) => v.powf(exponent),
+        Wave::Poly(exponent) => power(v, exponent),
     }
 }
 

@@ -20,10 +20,21 @@ const TURNED_AWAY: f64 = 1e-10;
 /// in their order, as far as a layer has asked.
 #[derive(Default)]
 pub(in crate::render) struct ArrivingLight {
-    entries: SmallVec<[Entry; 2]>,
+    /// None where only one layer asks.
+    entries: Option<SmallVec<[Entry; 2]>>,
 }
 
-#[derive(Clone, Copy)]
+impl ArrivingLight {
+    /// Light number `order` among those that shine there.
+    fn entry(&mut self, order: usize, make: impl FnOnce() -> Entry) -> &mut Entry {
+        let entries = self.entries.get_or_insert_with(SmallVec::new);
+        if entries.len() <= order {
+            entries.push(make());
+        }
+        &mut entries[order]
+    }
+}
+
 struct Entry {
     arrival: Arrival,
     /// Its colour after everything in the way.
@@ -54,13 +65,12 @@ pub(in crate::render) fn direct_light(
     let world = worker.world();
     let asks_spent_lights = world.features.kept.holds(Omission::SpentLights);
     let mut sum = Rgb::ZERO;
-    for (order, index) in world.lights_for(vertex.light_group()).enumerate() {
+    for (order, &index) in world.lights_for(vertex.light_group()).iter().enumerate() {
         let light = &world.lights[index];
-        if arriving.entries.len() <= order {
-            let arrival = light.arrival(vertex.point(), light.location);
-            arriving.entries.push(Entry { arrival, unblocked: None });
-        }
-        let Entry { arrival, unblocked } = arriving.entries[order];
+        let arrive = || Entry { arrival: light.arrival(vertex.point(), light.location), unblocked: None };
+        let mut once = None;
+        let Entry { arrival, unblocked } =
+            if layer.is_only { once.insert(arrive()) } else { arriving.entry(order, arrive) };
         let sampled =
             light.area.as_ref().filter(|a| a.illumination && vertex.path.bounce == 0 && worker.options().area_lights());
         let beam = lit_side(vertex, layer, index, light, arrival.direction);
@@ -70,14 +80,8 @@ pub(in crate::render) fn direct_light(
             worker.statistics.spared_shadow_rays += 1;
             continue;
         }
-        let rgb = match unblocked {
-            Some(known) => known,
-            None => {
-                let found = visibility::light_through(worker, vertex, index, &arrival, sampled.is_some());
-                arriving.entries[order].unblocked = Some(found);
-                found
-            }
-        };
+        let rgb = *unblocked
+            .get_or_insert_with(|| visibility::light_through(worker, vertex, index, arrival, sampled.is_some()));
         if is_spent || light.is_spent(rgb) {
             continue;
         }

@@ -7,7 +7,7 @@ use crate::compiled::World;
 use crate::compiled::geometry::{Hit, RayKind, Shadow, Surface};
 use crate::compiled::light::{Arrival, Light};
 use crate::compiled::texture::Frame;
-use crate::math::{DVec3, Range, Ray, Rgb};
+use crate::math::{DVec3, Range, Ray, Rgb, power};
 use crate::render::medium::{Interiors, Passage, fog_transmittance};
 use crate::render::random::{Branch, Random};
 use crate::render::shade::{Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
@@ -198,7 +198,7 @@ fn transmittance(worker: &Worker<'_>, layers: &Layers<'_>, lookup: &mut Lookup<'
         }
         if caustics != 0.0 {
             let normal = layer.normal(lookup, worker.options());
-            filter *= 1.0 + normal.dot(lookup.context.direction).abs().powf(caustics) as f32;
+            filter *= 1.0 + power(normal.dot(lookup.context.direction).abs(), caustics) as f32;
         }
     }
     filter

@@ -40,14 +40,20 @@ pub(super) struct RefractiveIndex {
     pub(super) dispersion: f64,
 }
 
-/// The objects that a ray is inside of, in the order of entering.
+/// The objects that a ray is inside of, in the order of entering; more than two are rare.
 #[derive(Debug, Default)]
-pub(super) struct Interiors(SmallVec<[Inside; 4]>);
+pub(super) struct Interiors(SmallVec<[Inside; 2]>);
 
 impl Clone for Interiors {
-    // What is derived goes element by element.
+    // What is derived goes element by element, and a copy of no bytes costs a call.
+    #[inline]
     fn clone(&self) -> Self {
-        Self(SmallVec::from_slice(&self.0))
+        match self.0[..] {
+            [] => Self::default(),
+            [only] => Self(SmallVec::from_buf_and_len([only; 2], 1)),
+            [first, second] => Self(SmallVec::from_buf([first, second])),
+            _ => Self(SmallVec::from_slice(&self.0)),
+        }
     }
 }
 

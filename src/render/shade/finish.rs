@@ -4,7 +4,7 @@
 
 use crate::compiled::texture::{Finish, Reflection};
 use crate::math::noise::{Octaves, turbulence};
-use crate::math::{DVec3, Rgb};
+use crate::math::{DVec3, Rgb, power};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// How much a layer mirrors.
@@ -49,14 +49,14 @@ pub(in crate::render) fn highlights(finish: &Finish, at: &Incidence, pigment: Rg
         let q = mirrored.dot(at.light);
         // POV-Ray's own limit: tight highlights end where the power would be nothing.
         if q > 0.0 && (finish.phong_size < 60.0 || q > 0.0008) {
-            amount += finish.phong * q.powf(finish.phong_size) as f32;
+            amount += finish.phong * power(q, finish.phong_size) as f32;
         }
     }
     if finish.specular > 0.0 {
         let half = at.light - at.view;
         let q = half.dot(at.normal) / half.length();
         if q > 0.0 {
-            amount += finish.specular * q.powf(finish.specular_exponent) as f32;
+            amount += finish.specular * power(q, finish.specular_exponent) as f32;
         }
     }
     if amount == 0.0 { Rgb::ZERO } else { amount * metallic_tint(finish.metallic, at.cosine, pigment) }
@@ -64,7 +64,7 @@ pub(in crate::render) fn highlights(finish: &Finish, at: &Incidence, pigment: Rg
 
 /// Power of the cosine for diffuse light.
 pub(in crate::render) fn brilliance(finish: &Finish, cosine: f64) -> f32 {
-    (if finish.brilliance == 1.0 { cosine } else { cosine.powf(finish.brilliance) }) as f32
+    power(cosine, finish.brilliance) as f32
 }
 
 /// Octaves by which the thickness of a thin film varies.
@@ -102,7 +102,7 @@ pub(in crate::render) fn reflectivity(
         let r = max * share + min * (1.0 - share);
         (r, r.max_element())
     } else {
-        let k = if min == max { 1.0 } else { (1.0 - cosine).powf(reflection.falloff) as f32 };
+        let k = if min == max { 1.0 } else { power(1.0 - cosine, reflection.falloff) as f32 };
         (k * max + (1.0 - k) * min, max.max_element().max(min.max_element()))
     };
     let tint = plain * metallic_tint(reflection.metallic, cosine, pigment);

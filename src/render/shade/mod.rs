@@ -31,8 +31,11 @@ impl<'p> Lookup<'p> {
     /// On a surface before any bump, seen along a unit direction, from which `normal` is turned to.
     #[inline(always)]
     pub(super) fn new(surface: &Surface, direction: DVec3, normal: DVec3, lane: Option<Lane<'p>>) -> Self {
-        let context = Context { uv: surface.uv, normal, perturbed_normal: normal, direction, point: surface.point };
-        Self { context, lane }
+        // In one piece, so that it is made where it stays.
+        Self {
+            context: Context { uv: surface.uv, normal, perturbed_normal: normal, direction, point: surface.point },
+            lane,
+        }
     }
 }
 
@@ -150,6 +153,11 @@ impl<'t> Layers<'t> {
         self.top_finish().filter(|_| self.at.plain)
     }
 
+    /// Whether there is one layer, and no other texture at the surface.
+    pub(super) fn are_only(&self, surface: &Surface) -> bool {
+        self.layers.len() == 1 && self.at.plain && surface.textures.len() == 1
+    }
+
     /// Random choices in this texture.
     pub(super) fn random(&self) -> Random {
         self.at.random
@@ -208,6 +216,8 @@ pub(super) struct SurfaceLayer<'t> {
     pub(super) opacity: f32,
     /// How many layers lie above it.
     pub(super) depth: usize,
+    /// Whether there is no other at the vertex.
+    pub(super) is_only: bool,
     /// Random choices in its texture.
     pub(super) random: Random,
 }

@@ -102,7 +102,7 @@ fn media_light(
     let passage = Passage { world, ray: &path.ray, length, random: path.random.branch(Branch::Medium(place)) };
     let incoming =
         |light: usize, point: DVec3, random: Random| arriving(worker, light, MediumPoint { point, path, random });
-    passage.airlight(media, world.lights_for(group), &prepared.settling, incoming)
+    passage.airlight(media, world.lights_for(group).iter().copied(), &prepared.settling, incoming)
 }
 
 /// The light of a source at a point in a medium.

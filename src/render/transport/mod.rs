@@ -85,7 +85,8 @@ fn layered<G: Gather>(
     lookup: &mut Lookup<'_>,
     arriving: &mut ArrivingLight,
 ) -> G {
-    let mut shaded: Shaded<'_, G> = shade(worker, vertex, layers, lookup, arriving);
+    let mut shaded: Shaded<'_, G> = Shaded::default();
+    shade(worker, vertex, layers, lookup, arriving, &mut shaded);
     let mut total_reflection = None;
     if let Some(boundary) = &shaded.beyond {
         let (term, light) = transmitted(worker, vertex, boundary);

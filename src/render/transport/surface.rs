@@ -14,16 +14,38 @@ use crate::render::shade::finish::{self, Reflectivity};
 use crate::render::shade::{Layers, Lookup, SurfaceLayer, opacity};
 use crate::render::vertex::Vertex;
 use crate::render::worker::Worker;
-use smallvec::SmallVec;
 
 /// Layers after everything that needs no further ray.
+#[derive(Default)]
 pub(super) struct Shaded<'t, G> {
     /// Own and direct light.
     pub(super) found: G,
     /// What light from the far side crosses, if any comes through.
     pub(super) beyond: Option<Boundary<'t>>,
     /// Layers that mirror, uppermost first.
-    pub(super) mirrors: SmallVec<[Mirror<'t>; 2]>,
+    pub(super) mirrors: Mirrors<'t>,
+}
+
+/// Layers that mirror; mostly none or one.
+#[derive(Default)]
+pub(super) struct Mirrors<'t> {
+    first: Option<Mirror<'t>>,
+    others: Vec<Mirror<'t>>,
+}
+
+impl<'t> Mirrors<'t> {
+    /// In the order in which they were added.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Mirror<'t>> {
+        self.first.iter().chain(&self.others)
+    }
+
+    fn push(&mut self, mirror: Mirror<'t>) {
+        if self.first.is_none() {
+            self.first = Some(mirror);
+        } else {
+            self.others.push(mirror);
+        }
+    }
 }
 
 /// A layer that mirrors.
@@ -43,8 +65,7 @@ fn share(filter: Rgb) -> f32 {
     gray(filter).abs().min(1.0)
 }
 
-/// Goes through layers from the top.
-// Always inline: what it makes is too large to be handed back for nothing.
+/// Goes through layers from the top; what it finds is put where it stays, being too large to be handed back.
 #[inline(always)]
 pub(super) fn shade<'t, G: Gather>(
     worker: &mut Worker<'_>,
@@ -52,10 +73,10 @@ pub(super) fn shade<'t, G: Gather>(
     layers: &Layers<'t>,
     lookup: &mut Lookup<'_>,
     arriving: &mut ArrivingLight,
-) -> Shaded<'t, G> {
+    shaded: &mut Shaded<'t, G>,
+) {
     let (world, options) = (worker.world(), worker.options());
     let bailout = worker.adc_bailout(vertex.path);
-    let mut shaded = Shaded { found: G::default(), beyond: None, mirrors: SmallVec::new() };
     let mut filter = Rgb::ONE;
     let mut albedo = Rgb::ZERO;
     let mut top_normal = vertex.facing;
@@ -74,7 +95,7 @@ pub(super) fn shade<'t, G: Gather>(
         if options.flat() {
             shaded.found.add(Term::Emission, Radiance::opaque(color.rgb));
             shaded.found.note_shading(normal, color.rgb);
-            return shaded;
+            return;
         }
         let finish = layer.finish();
         let relative_ior = || vertex.interiors().relative_ior(&inside_of(world, vertex.surface));
@@ -85,7 +106,8 @@ pub(super) fn shade<'t, G: Gather>(
             shaded.mirrors.push(Mirror { finish, normal, reflectivity, visibility: share(filter), depth });
         }
         let (opacity, random) = (opacity(world, &color), layers.random());
-        let lit = SurfaceLayer { finish, normal, albedo: color.rgb, opacity, depth, random };
+        let is_only = layers.are_only(vertex.surface);
+        let lit = SurfaceLayer { finish, normal, albedo: color.rgb, opacity, depth, is_only, random };
         let emission = color.rgb * worker.own_light(finish) * lit.opacity;
         let direct =
             if finish.uses_lights && wants_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
@@ -113,7 +135,6 @@ pub(super) fn shade<'t, G: Gather>(
             random: layers.random(),
         });
     }
-    shaded
 }
 
 impl Mirror<'_> {
