@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Kills the program at random moments and goes on, again and again: files must come out as if nothing had happened.
 
-    scripts/interrupt.py PROGRAM [ROUNDS [SEED]]
+    scripts/interrupt.py PROGRAM [KILLS [SEED]]
 
-Each round renders a picture or an animation through `PROGRAM povray … +C` in a folder of its own, killed (-9, -TERM or
--INT) at random until it is done, and compares all files of the folder with those of an undisturbed run, byte for byte.
+Each round renders a picture or an animation through `PROGRAM povray … +C` in a folder of its own, killed (-9, now and then
+-TERM or -INT) at random until it is done, and compares all files of the folder with those of an undisturbed run, byte for
+byte. Rounds go on until there were so many kills by -9.
 """
 
+import collections
 import os
 import random
 import signal
@@ -50,12 +52,13 @@ def undisturbed(program: str, kind: str) -> tuple:
 
 def main() -> int:
     program = os.path.abspath(sys.argv[1])
-    rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 20
+    enough = int(sys.argv[2]) if len(sys.argv) > 2 else 20
     chance = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     expected = {kind: undisturbed(program, kind) for kind in KINDS}
-    kills = wrong = 0
-    for i in range(rounds):
-        kind = list(KINDS)[i % len(KINDS)]
+    kills, rounds, wrong = collections.Counter(), 0, 0
+    while kills[signal.SIGKILL] < enough:
+        kind = list(KINDS)[rounds % len(KINDS)]
+        rounds += 1
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             (folder / "scene.pov").write_text(SCENE)
@@ -65,14 +68,15 @@ def main() -> int:
                     process.wait(0.02 + chance.random() * expected[kind][1] * 0.8)
                     break
                 except subprocess.TimeoutExpired:
-                    process.send_signal(chance.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT]))
-                    process.wait()
-                    kills += 1
+                    how = chance.choice([signal.SIGKILL] * 8 + [signal.SIGTERM, signal.SIGINT])
+                    process.send_signal(how)
+                    kills[how] += process.wait() != 0
             # What the last one finished may have been left by one before it, killed while it wrote.
             if process.returncode != 0 or files(folder) != expected[kind][0]:
                 wrong += 1
-                print(f"round {i}, {kind}: exit {process.returncode}, {sorted(files(folder))[:5]}")
-    print(f"{rounds} rounds, {kills} kills, {wrong} wrong; undisturbed "
+                print(f"round {rounds}, {kind}: exit {process.returncode}, {sorted(files(folder))[:5]}")
+    counted = ", ".join(f"{n} by {how.name}" for how, n in sorted(kills.items()))
+    print(f"{rounds} rounds, kills: {counted}; {wrong} wrong; undisturbed "
           + ", ".join(f"{kind} {time:.1f} s" for kind, (_, time) in expected.items()))
     return 1 if wrong else 0
 

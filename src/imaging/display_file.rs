@@ -119,8 +119,9 @@ fn file_bytes(quantised: &Quantised, bits: u8) -> Vec<u8> {
 /// What made the picture, by name.
 fn remarks(metadata: &Metadata) -> impl Iterator<Item = (&'static str, Cow<'_, str>)> {
     let software = (!metadata.software.is_empty()).then_some(("Software", metadata.software.as_str().into()));
+    let options = (!metadata.options.is_empty()).then_some(("Comment", metadata.options.as_str().into()));
     let notes = metadata.notes.iter().map(|(name, text)| (*name, text.as_str().into()));
-    software.into_iter().chain(notes)
+    software.into_iter().chain(options).chain(notes)
 }
 
 fn one_line(text: &(impl Display + ?Sized)) -> String {

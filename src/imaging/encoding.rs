@@ -72,6 +72,8 @@ impl FileKind {
 pub struct Encoding {
     /// EXR colours in single instead of half precision.
     pub float: bool,
+    /// EXR layers that are no colours in a part of their own.
+    pub parts: bool,
     /// Bits of a value in PNG and PPM files, 5 to 16; above 8 they take up two bytes.
     pub bits: u8,
     /// One value for each pixel instead of a colour: PNG and PPM files.
@@ -87,7 +89,7 @@ pub struct Encoding {
 impl Default for Encoding {
     /// Half precision, 8 bits, sRGB. Source: quality, camera and image facts, section 4.2.
     fn default() -> Self {
-        Self { float: false, bits: 8, grey: false, quality: 85, curve: Curve::Srgb, dither: None }
+        Self { float: false, parts: false, bits: 8, grey: false, quality: 85, curve: Curve::Srgb, dither: None }
     }
 }
 

@@ -4,6 +4,7 @@ use super::exposure::Mean;
 use super::identity::Noting;
 use super::library::{Library, Remembering};
 use super::projection::projection;
+use super::recipe::recipe;
 use super::state::{self, Earlier, State};
 use super::{Explanation, Identity, Job, Keeping, Outcome, Output, Ready, Timings};
 use crate::compile::geometry::Watched;
@@ -111,6 +112,7 @@ impl Session {
         let metadata = Metadata {
             software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
             scene: job.scene.display().to_string(),
+            options: recipe(job),
             camera: describe(&world.camera),
             projection: projection(&world.camera),
             rays: rendered.statistics.rays(),
@@ -153,7 +155,9 @@ impl Session {
         for clock in clocks {
             mean.add(moment(clock)?.0);
         }
-        Ok(mean.outcome())
+        let mut outcome = mean.outcome();
+        outcome.metadata.options = recipe(job);
+        Ok(outcome)
     }
 
     /// Writes a picture's files, each whole or not at all.
@@ -180,7 +184,7 @@ impl Session {
 
     /// Whether the job's file is there already: `None` without one, else whether it says that it is the same picture.
     pub fn is_made(&self, job: &Job, ready: &Ready) -> Option<bool> {
-        let bytes = std::fs::read(job.kept_beside()?).ok().filter(|bytes| !bytes.is_empty())?;
+        let bytes = std::fs::read(job.marked_file()?).ok().filter(|bytes| !bytes.is_empty())?;
         Some(imaging::mark_of(&bytes).as_deref() == Some(&*Identity::new(job, &ready.digest).to_string()))
     }
 }

@@ -193,6 +193,7 @@ impl Settings {
         let bits = if self.is_grey() && self.kind == FileKind::Png { 16 } else { self.bits.clamp(5, 16) as u8 };
         Encoding {
             float: false,
+            parts: false,
             bits,
             grey: self.is_grey(),
             quality: if (2..=100).contains(&self.compression) {
