@@ -39,6 +39,7 @@ impl Files {
             quality: self.jpeg_quality,
             curve: self.file_gamma.map_or(Curve::Srgb, Curve::power),
             dither: self.dither.then_some(Dither::FloydSteinberg),
+            ..Encoding::default()
         }
     }
 

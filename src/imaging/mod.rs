@@ -27,6 +27,7 @@ mod metrics;
 mod picture;
 mod quantise;
 mod save;
+mod tga;
 mod transfer;
 
 pub use atomic::{check_writable, pause_writing, sweep, write_whole};

@@ -122,10 +122,12 @@ impl Session {
         let Rendered { picture, complete, progress, statistics } = rendered;
         let explanation = Explanation { found: world.summary(), ledger, rays: statistics };
         let display_values = world.settings.display_values;
+        let working = world.settings.transfer.curve();
         Outcome {
             picture,
             metadata,
             display_values,
+            working,
             complete,
             progress,
             warnings,
@@ -165,10 +167,11 @@ impl Session {
     /// # Errors
     /// When one cannot be written; those before it are there.
     pub fn write(&self, outcome: &mut Outcome, outputs: &[Output]) -> Result<(), ImageError> {
-        let Outcome { picture, metadata, display_values, timings, state, .. } = outcome;
+        let Outcome { picture, metadata, display_values, working, timings, state, .. } = outcome;
         let save = |output: &Output| {
             let curve = if *display_values { Curve::Srgb } else { output.encoding.curve };
-            imaging::save_as(&output.file, output.kind, picture, metadata, &Encoding { curve, ..output.encoding })
+            let encoding = Encoding { curve, working: *working, ..output.encoding };
+            imaging::save_as(&output.file, output.kind, picture, metadata, &encoding)
         };
         let save = || outputs.iter().try_for_each(save);
         let written = timings.time("write", || self.on_all_threads(save));

@@ -194,6 +194,7 @@ fn library_path(settings: &mut Settings, value: &Value) -> Result<(), String> {
 /// A number that the scene knows by a name; of several the first counts.
 fn declare(settings: &mut Settings, value: &Value) -> Result<(), String> {
     let (name, number) = value.text().split_once('=').ok_or("expected Declare=NAME=NUMBER")?;
+    let name = name.trim();
     let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
         && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     if !is_name {
@@ -269,7 +270,8 @@ fn version(settings: &mut Settings, value: &Value) -> Result<(), String> {
     if !(0.0..=370.0).contains(&hundredths) {
         return Err("must be 0 to 3.7".into());
     }
-    settings.version = Some(hundredths as u32);
+    // There is nothing below 1.0. Source: measured with +MV0.
+    settings.version = Some((hundredths as u32).max(100));
     Ok(())
 }
 

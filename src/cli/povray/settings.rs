@@ -138,8 +138,8 @@ impl Settings {
             width,
             height,
             antialias: self.antialias(),
-            quality: if (0..=9).contains(&self.quality) { self.quality as u8 } else { 9 },
-            alpha: self.alpha && self.kind.holds_alpha() && !self.is_grey(),
+            quality: self.quality.clamp(0, 9) as u8,
+            alpha: self.alpha && self.kind.holds_alpha(),
             region: self.region()?,
             ..Options::default()
         })
@@ -192,8 +192,6 @@ impl Settings {
         // Grey PNG files have 16 bits whatever is asked for.
         let bits = if self.is_grey() && self.kind == FileKind::Png { 16 } else { self.bits.clamp(5, 16) as u8 };
         Encoding {
-            float: false,
-            parts: false,
             bits,
             grey: self.is_grey(),
             quality: if (2..=100).contains(&self.compression) {
@@ -203,12 +201,17 @@ impl Settings {
             },
             curve: self.file_gamma,
             dither: self.dithers.then_some(self.dither),
+            ..Encoding::default()
         }
     }
 
-    /// Other kinds of files have no grey.
     fn is_grey(&self) -> bool {
         self.grey && matches!(self.kind, FileKind::Png | FileKind::Ppm)
+    }
+
+    /// Whether the picture should be grey in a kind of file that has no grey.
+    pub(super) fn asks_for_impossible_grey(&self) -> bool {
+        self.to_file && self.grey && !self.is_grey()
     }
 
     pub(super) fn stream(&self, sort: Sort) -> &Stream {
