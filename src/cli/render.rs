@@ -172,6 +172,7 @@ fn antialias(text: &str) -> Result<Setting, String> {
         threshold: number(1, "THRESHOLD", 0.0..=1.0)?,
         depth: number(2, "DEPTH", 1.0..=9.0)? as u32,
         jitter: if parts.len() == 4 { number(3, "JITTER", 0.0..=1.0)? } else { 0.0 },
+        gamma: Antialias::GAMMA,
     })))
 }
 

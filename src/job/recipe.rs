@@ -8,7 +8,7 @@ use std::fmt::Display;
 use std::time::Duration;
 
 /// `name=value` for each option with a say in the pixels, by the names of `whitted render`'s long options, whichever front
-/// end they came from; `header` and `frame` beside them. What is as ever is left out.
+/// end they came from; `header`, `antialias-gamma` and `frame` beside them. What is as ever is left out.
 pub(super) fn recipe(job: &Job) -> String {
     let mut words = Words::default();
     words.picture(job);
@@ -39,6 +39,8 @@ impl Words {
             Some(target) => self.target(target),
             None => self.say("antialias", options.antialias.map_or("off".into(), antialias)),
         }
+        let gamma = options.antialias.map(|antialias| antialias.gamma);
+        self.maybe("antialias-gamma", gamma.filter(|gamma| *gamma != Antialias::GAMMA));
         self.say("quality", options.quality);
         if options.alpha {
             self.0.push("alpha".into());
@@ -100,7 +102,7 @@ fn region(Region { left, top, right, bottom }: Region) -> String {
     format!("{left},{top},{right},{bottom}")
 }
 
-fn antialias(Antialias { method, threshold, depth, jitter }: Antialias) -> String {
+fn antialias(Antialias { method, threshold, depth, jitter, .. }: Antialias) -> String {
     let method = match method {
         Method::Grid => 1,
         Method::Adaptive => 2,
@@ -127,13 +129,14 @@ mod tests {
         check(
             |job| {
                 let rendering = &mut job.rendering;
-                rendering.antialias = Some(Antialias { method: Method::Grid, threshold: 0.3, depth: 3, jitter: 1.0 });
+                rendering.antialias =
+                    Some(Antialias { method: Method::Grid, threshold: 0.3, depth: 3, jitter: 1.0, gamma: 1.0 });
                 rendering.region = Some(Region { left: 1, top: 2, right: 3, bottom: 4 });
                 (rendering.alpha, rendering.layers) = (true, vec![ImageLayer::Depth, ImageLayer::Normal]);
                 job.reading.declarations = vec![("A".into(), 1.5)];
                 job.reading.header = Some("a b.inc".into());
             },
-            "width=64 height=48 region=1,2,3,4 antialias=1,0.3,3,1 quality=9 alpha layers=Z,N header=\"a b.inc\" declare=A:1.5",
+            "width=64 height=48 region=1,2,3,4 antialias=1,0.3,3,1 antialias-gamma=1 quality=9 alpha layers=Z,N header=\"a b.inc\" declare=A:1.5",
         );
     }
 

@@ -10,8 +10,6 @@ use crate::compiled::Transfer;
 use crate::math::Rgb;
 use std::f64::consts::PI;
 
-/// Exponent of POV-Ray's `Antialias_Gamma`, in whose space colours are compared.
-const COMPARE_GAMMA: f32 = 2.5;
 /// POV-Ray's largest difference of neighbouring samples of an area light between which nothing is looked at.
 const AREA_THRESHOLD: f32 = 0.1;
 
@@ -20,6 +18,8 @@ const AREA_THRESHOLD: f32 = 0.1;
 pub(super) struct Contrast {
     /// Sum of the differences of the channels, 0 to 1.
     pub(super) threshold: f64,
+    /// The power of light that is compared.
+    pub(super) exponent: f32,
     /// From the scene's working values to linear light.
     pub(super) transfer: Transfer,
 }
@@ -31,7 +31,7 @@ impl Contrast {
         if a == b {
             return self.threshold <= 0.0;
         }
-        let display = |v: f32| self.transfer.linear(v).max(0.0).powf(1.0 / COMPARE_GAMMA);
+        let display = |v: f32| self.transfer.linear(v).max(0.0).powf(self.exponent);
         let distance = |a: Rgb, b: Rgb| {
             (display(a.x) - display(b.x)).abs()
                 + (display(a.y) - display(b.y)).abs()

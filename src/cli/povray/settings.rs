@@ -35,6 +35,7 @@ pub(super) struct Settings {
     pub(super) depth: i64,
     pub(super) jitter: bool,
     pub(super) jitter_amount: f64,
+    pub(super) antialias_gamma: f64,
     pub(super) quality: i64,
     pub(super) clock: Option<f64>,
     pub(super) initial_frame: Option<i64>,
@@ -104,6 +105,7 @@ impl Default for Settings {
             depth: 3,
             jitter: true,
             jitter_amount: 1.0,
+            antialias_gamma: f64::from(Antialias::GAMMA),
             quality: 9,
             clock: None,
             initial_frame: None,
@@ -156,6 +158,7 @@ impl Settings {
             threshold: self.threshold.clamp(0.0, 1.0),
             depth: self.depth.clamp(1, 9) as u32,
             jitter: if self.jitter { self.jitter_amount.clamp(0.0, 1.0) } else { 0.0 },
+            gamma: self.antialias_gamma as f32,
         })
     }
 
