@@ -32,11 +32,8 @@ impl Quantised {
         let mut spread = Spread::new(encoding, max, picture.width);
         for (i, &pixel) in picture.pixels.iter().enumerate() {
             let light = match channels {
-                Channels::Grey => [grey(pixel); 4],
-                Channels::GreyAlpha => {
-                    let straight = straight(pixel, encoding.working);
-                    [grey(straight), 0.0, 0.0, straight[3]]
-                }
+                Channels::Grey => greyed(pixel, encoding.working),
+                Channels::GreyAlpha => greyed(straight(pixel, encoding.working), encoding.working),
                 Channels::Rgb => pixel,
                 Channels::Rgba => straight(pixel, encoding.working),
             };
@@ -53,6 +50,13 @@ impl Quantised {
     pub(super) fn bytes(&self) -> Vec<u8> {
         self.values.iter().map(|value| *value as u8).collect()
     }
+}
+
+/// Grey of the scene's values, whatever curve those have, with alpha.
+fn greyed([r, g, b, alpha]: [f32; 4], working: Curve) -> [f32; 4] {
+    let [r, g, b] = [r, g, b].map(|light| working.encode(light));
+    let grey = working.decode(grey([r, g, b, alpha]));
+    [grey, grey, grey, alpha]
 }
 
 /// As POV-Ray weighs colours.
@@ -96,6 +100,8 @@ mod tests {
         let edge = [0.000_847_8, 0.000_847_8, 0.000_847_8, 0.1];
         let working = Encoding { working: Curve::Power(2.2), ..Encoding::default() };
         check(edge, Channels::Rgba, working, &[103, 103, 103, 26]);
+        // A colour <1,.5,.2> there.
+        check([1.0, 0.217_64, 0.028_99, 1.0], Channels::Grey, Encoding { bits: 16, ..working }, &[40_628]);
         check([0.5, 0.0, 0.0, 0.1], Channels::GreyAlpha, with(8, Curve::Power(1.0)), &[76, 38]);
         check([f32::NAN, -1.0, f32::INFINITY, 1.0], Channels::Rgb, Encoding::default(), &[0, 0, 255]);
     }
