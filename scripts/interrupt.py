@@ -26,9 +26,9 @@ camera { location <0, 3, -8 + clock> look_at 0 } light_source { <9, 9, -9>, 1 ar
 plane { y, -.5 pigment { checker rgb 1 rgb .2 } }
 """
 KINDS = {
-    "picture": ["+W240", "+H180", "+A0.1", "+R3"],
-    "exr": ["+W240", "+H180", "+A0.1", "+AM2", "+FE"],
-    "animation": ["+W64", "+H48", "+KFF40", "+A0.2"],
+    "picture": ["+W160", "+H120", "+A0.1", "+R3"],
+    "exr": ["+W120", "+H90", "+A0.1", "+AM2", "+FE"],
+    "animation": ["+W40", "+H30", "+KFF20", "+A0.2"],
 }
 
 
