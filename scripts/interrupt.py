@@ -19,16 +19,19 @@ import time
 from pathlib import Path
 
 SCENE = """#version 3.7; global_settings { assumed_gamma 1 max_trace_level 6 }
-camera { location <0, 3, -8 + clock> look_at 0 } light_source { <9, 9, -9>, 1 area_light 3*x, 3*y, 4, 4 }
+camera { location <0, 3, -8 + clock> look_at 0 } light_source { <9, 9, -9>, 1 area_light 3*x, 3*y, 2, 2 }
 #declare I = 0; #while (I < 16)
   sphere { <mod(I, 4) - 1.5, 0, div(I, 4) - 1.5>, .45 pigment { rgbt <.2, .4, .6, .5> } finish { reflection .4 } interior { ior 1.3 } }
 #declare I = I + 1; #end
 plane { y, -.5 pigment { checker rgb 1 rgb .2 } }
 """
+# Seconds until a kill at most: there should be many, also where other work slows the program down. Blocks of the picture
+# take much less, so every longer run gets on.
+LONGEST = 1.5
 KINDS = {
-    "picture": ["+W160", "+H120", "+A0.1", "+R3"],
-    "exr": ["+W120", "+H90", "+A0.1", "+AM2", "+FE"],
-    "animation": ["+W40", "+H30", "+KFF20", "+A0.2"],
+    "picture": ["+W480", "+H360", "+A0.3", "+R2"],
+    "exr": ["+W360", "+H270", "+A0.3", "+AM2", "+R2", "+FE"],
+    "animation": ["+W64", "+H48", "+KFF40", "+A0.3", "+R2"],
 }
 
 
@@ -65,7 +68,7 @@ def main() -> int:
             while True:
                 process = start(program, folder, kind, True)
                 try:
-                    process.wait(0.02 + chance.random() * expected[kind][1] * 0.8)
+                    process.wait(0.02 + chance.random() * min(expected[kind][1] * 0.8, LONGEST))
                     break
                 except subprocess.TimeoutExpired:
                     how = chance.choice([signal.SIGKILL] * 8 + [signal.SIGTERM, signal.SIGINT])

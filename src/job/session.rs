@@ -186,9 +186,16 @@ impl Session {
     }
 
     /// Whether the job's file is there already: `None` without one, else whether it says that it is the same picture.
+    /// Then nothing stays beside it of a run that was killed between writing it and clearing up.
     pub fn is_made(&self, job: &Job, ready: &Ready) -> Option<bool> {
-        let bytes = std::fs::read(job.marked_file()?).ok().filter(|bytes| !bytes.is_empty())?;
-        Some(imaging::mark_of(&bytes).as_deref() == Some(&*Identity::new(job, &ready.digest).to_string()))
+        let file = job.marked_file()?;
+        let bytes = std::fs::read(file).ok().filter(|bytes| !bytes.is_empty())?;
+        let is_made = imaging::mark_of(&bytes).as_deref() == Some(&*Identity::new(job, &ready.digest).to_string());
+        if is_made {
+            imaging::sweep(file);
+            let _ = std::fs::remove_file(state::state_file(file));
+        }
+        Some(is_made)
     }
 }
 
