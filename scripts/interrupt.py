@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Kills the program at random moments and goes on, again and again: files must come out as if nothing had happened.
 
-    scripts/interrupt.py PROGRAM [ROUNDS [SEED]]
+    scripts/interrupt.py PROGRAM [KILLS [SEED]]
 
-Each round renders a picture or an animation through `PROGRAM povray … +C` in a folder of its own, killed (-9, -TERM or
--INT) at random until it is done, and compares all files of the folder with those of an undisturbed run, byte for byte.
+Each round renders a picture or an animation through `PROGRAM povray … +C` in a folder of its own, killed (-9, now and then
+-TERM or -INT) at random until it is done, and compares all files of the folder with those of an undisturbed run, byte for
+byte. Rounds go on until there were so many kills by -9.
 """
 
+import collections
 import os
 import random
 import signal
@@ -17,16 +19,19 @@ import time
 from pathlib import Path
 
 SCENE = """#version 3.7; global_settings { assumed_gamma 1 max_trace_level 6 }
-camera { location <0, 3, -8 + clock> look_at 0 } light_source { <9, 9, -9>, 1 area_light 3*x, 3*y, 4, 4 }
+camera { location <0, 3, -8 + clock> look_at 0 } light_source { <9, 9, -9>, 1 area_light 3*x, 3*y, 2, 2 }
 #declare I = 0; #while (I < 16)
   sphere { <mod(I, 4) - 1.5, 0, div(I, 4) - 1.5>, .45 pigment { rgbt <.2, .4, .6, .5> } finish { reflection .4 } interior { ior 1.3 } }
 #declare I = I + 1; #end
 plane { y, -.5 pigment { checker rgb 1 rgb .2 } }
 """
+# Seconds until a kill at most: there should be many, also where other work slows the program down. Blocks of the picture
+# take much less, so every longer run gets on.
+LONGEST = 1.5
 KINDS = {
-    "picture": ["+W240", "+H180", "+A0.1", "+R3"],
-    "exr": ["+W240", "+H180", "+A0.1", "+AM2", "+FE"],
-    "animation": ["+W64", "+H48", "+KFF40", "+A0.2"],
+    "picture": ["+W480", "+H360", "+A0.3", "+R2"],
+    "exr": ["+W360", "+H270", "+A0.3", "+AM2", "+R2", "+FE"],
+    "animation": ["+W64", "+H48", "+KFF40", "+A0.3", "+R2"],
 }
 
 
@@ -50,29 +55,31 @@ def undisturbed(program: str, kind: str) -> tuple:
 
 def main() -> int:
     program = os.path.abspath(sys.argv[1])
-    rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 20
+    enough = int(sys.argv[2]) if len(sys.argv) > 2 else 20
     chance = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     expected = {kind: undisturbed(program, kind) for kind in KINDS}
-    kills = wrong = 0
-    for i in range(rounds):
-        kind = list(KINDS)[i % len(KINDS)]
+    kills, rounds, wrong = collections.Counter(), 0, 0
+    while kills[signal.SIGKILL] < enough:
+        kind = list(KINDS)[rounds % len(KINDS)]
+        rounds += 1
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             (folder / "scene.pov").write_text(SCENE)
             while True:
                 process = start(program, folder, kind, True)
                 try:
-                    process.wait(0.02 + chance.random() * expected[kind][1] * 0.8)
+                    process.wait(0.02 + chance.random() * min(expected[kind][1] * 0.8, LONGEST))
                     break
                 except subprocess.TimeoutExpired:
-                    process.send_signal(chance.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT]))
-                    process.wait()
-                    kills += 1
+                    how = chance.choice([signal.SIGKILL] * 8 + [signal.SIGTERM, signal.SIGINT])
+                    process.send_signal(how)
+                    kills[how] += process.wait() != 0
             # What the last one finished may have been left by one before it, killed while it wrote.
             if process.returncode != 0 or files(folder) != expected[kind][0]:
                 wrong += 1
-                print(f"round {i}, {kind}: exit {process.returncode}, {sorted(files(folder))[:5]}")
-    print(f"{rounds} rounds, {kills} kills, {wrong} wrong; undisturbed "
+                print(f"round {rounds}, {kind}: exit {process.returncode}, {sorted(files(folder))[:5]}")
+    counted = ", ".join(f"{n} by {how.name}" for how, n in sorted(kills.items()))
+    print(f"{rounds} rounds, kills: {counted}; {wrong} wrong; undisturbed "
           + ", ".join(f"{kind} {time:.1f} s" for kind, (_, time) in expected.items()))
     return 1 if wrong else 0
 

@@ -39,7 +39,7 @@ const SCENES: [(&str, &str); 12] = [
     ("usehead.pov", "#debug concat(\"head \", str(Head, 0, 0), \"\\n\")\n"),
 ];
 
-const FILES: [(&str, &str); 35] = [
+const FILES: [(&str, &str); 37] = [
     ("saw.inc", SAW),
     ("old.pov", "#include \"saw.inc\"\n"),
     ("bad.pov", "#version 3.7;\n\nsphere { nonsense }\n"),
@@ -59,6 +59,8 @@ const FILES: [(&str, &str); 35] = [
     ("two.ini", "Width=20 Height=10\nHeight=9\n"),
     ("sec.ini", "Width=11\n[small]\nHeight=5\n[Big One]\nHeight=15\nWidth=16\n"),
     ("crlf.ini", "Width=8\r\nHeight=6\r\n"),
+    ("cr.ini", "Width=8\rHeight=6\r"),
+    ("spaced.ini", "Width=8\nHeight=6\nDeclare = Foo = 7\n"),
     ("nonl.ini", "Width=8\nHeight=6"),
     ("hash.ini", "# no comment\nWidth=8\n"),
     ("slash.ini", "// no comment\nWidth=8\n"),

@@ -105,7 +105,8 @@ fn compare(scene: &Path, recipe: &Recipe, name: &str) -> Result<(), Failed> {
 /// POV-Ray's switches as our options; one that is not known here fails the trial.
 fn options(recipe: &Recipe) -> Result<Options, String> {
     let mut options = Options { width: recipe.width, height: recipe.height, ..Options::default() };
-    let mut antialias = Antialias { method: Method::Grid, threshold: 0.3, depth: 3, jitter: 0.0 };
+    let mut antialias =
+        Antialias { method: Method::Grid, threshold: 0.3, depth: 3, jitter: 0.0, gamma: Antialias::GAMMA };
     for switch in &recipe.options {
         let number = |prefix: &str| switch.trim_start_matches(prefix).parse().map_err(|_| format!("odd {switch}"));
         match switch.as_str() {

@@ -12,13 +12,13 @@ use std::process::ExitCode;
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Frames {
     /// Render frames A to B, each to a file with its number. A frame that fails is no reason to leave out the others
-    #[arg(long, value_name = "A-B", value_parser = range, conflicts_with_all = ["target_error", "time_budget", "rounds", "layers"])]
+    #[arg(long, value_name = "A-B", value_parser = range, conflicts_with_all = ["target_error", "time_budget", "rounds"])]
     frames: Option<(u32, u32)>,
     /// Values of `clock` in the first and in the last frame [default: 0,1]
     #[arg(long, value_name = "FROM,TO", value_parser = clocks, requires = "frames")]
     clocks: Option<(f64, f64)>,
     /// Part of the time from frame to frame that the shutter is open: blurs what moves
-    #[arg(long, value_name = "PART", value_parser = super::render::positive, requires = "samples")]
+    #[arg(long, value_name = "PART", value_parser = super::render::positive, requires = "samples", conflicts_with = "layers")]
     shutter: Option<f64>,
     /// Pictures whose mean a frame is while the shutter is open
     #[arg(long, value_name = "N", requires = "shutter", value_parser = clap::value_parser!(u32).range(1..=10_000))]

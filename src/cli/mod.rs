@@ -37,7 +37,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Render a scene to a picture
-    Render(render::Arguments),
+    Render(Box<render::Arguments>),
     /// Read a scene and say what is wrong with it, without rendering
     Check(check::Arguments),
     /// Print what a stage makes of a scene, as text

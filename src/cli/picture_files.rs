@@ -24,17 +24,22 @@ pub(super) struct Files {
     /// Spread what rounding loses over neighbours, but in EXR, HDR and JPEG files
     #[arg(long)]
     dither: bool,
+    /// Keep layers of an EXR file that are no colours in a second part of it, which says that it is data
+    #[arg(long)]
+    parts: bool,
 }
 
 impl Files {
     pub(super) fn encoding(&self, float: bool) -> Encoding {
         Encoding {
             float,
+            parts: self.parts,
             bits: self.bits,
             grey: self.grey,
             quality: self.jpeg_quality,
             curve: self.file_gamma.map_or(Curve::Srgb, Curve::power),
             dither: self.dither.then_some(Dither::FloydSteinberg),
+            ..Encoding::default()
         }
     }
 

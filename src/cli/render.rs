@@ -75,7 +75,8 @@ pub(super) struct Arguments {
     #[arg(long)]
     explain: bool,
     /// Go on with a picture, or with the frames of an animation, where an interrupted run has left off: what is finished
-    /// is kept in OUTPUT.whitted-state, and taken if it belongs to the same picture
+    /// is kept in OUTPUT.whitted-state, and taken if it belongs to the same picture. Of pictures with layers only
+    /// finished frames are
     #[arg(long, conflicts_with_all = ["target_error", "time_budget", "rounds"])]
     resume: bool,
     #[command(flatten)]
@@ -171,6 +172,7 @@ fn antialias(text: &str) -> Result<Setting, String> {
         threshold: number(1, "THRESHOLD", 0.0..=1.0)?,
         depth: number(2, "DEPTH", 1.0..=9.0)? as u32,
         jitter: if parts.len() == 4 { number(3, "JITTER", 0.0..=1.0)? } else { 0.0 },
+        gamma: Antialias::GAMMA,
     })))
 }
 

@@ -11,6 +11,7 @@ use super::light::Light;
 use super::medium::Medium;
 use super::radiosity::Radiosity;
 use super::texture::Texture;
+use crate::imaging::Curve;
 use crate::math::Rgb;
 use std::sync::Arc;
 
@@ -94,6 +95,15 @@ pub enum Transfer {
 }
 
 impl Transfer {
+    /// The same in a file's words.
+    pub fn curve(self) -> Curve {
+        match self {
+            Self::Linear => Curve::Power(1.0),
+            Self::Power(gamma) => Curve::Power(gamma),
+            Self::Srgb => Curve::Srgb,
+        }
+    }
+
     /// Linear light of a working value.
     pub fn linear(self, v: f32) -> f32 {
         match self {

@@ -41,7 +41,8 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), ImageError> {
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = builder.tempfile_in(folder).map_err(fail)?;
-    file.write_all(bytes).and_then(|()| file.flush()).map_err(fail)?;
+    // Past the wrapper, whose errors name the file that nobody knows.
+    file.as_file_mut().write_all(bytes).map_err(fail)?;
     file.persist(path).map_err(|e| fail(e.error))?;
     Ok(())
 }

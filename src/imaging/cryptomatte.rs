@@ -33,7 +33,7 @@ pub fn cryptomatte(name: &str, pixels: &[Vec<(u32, f32)>], label: impl Fn(u32) -
         .map(|i| {
             let channels = [("R", 0, false), ("G", 0, true), ("B", 1, false), ("A", 1, true)];
             let channels = channels.map(|(c, rank, second)| (c.to_owned(), channel(2 * i + rank, second)));
-            Layer { name: format!("{name}{i:02}"), channels: channels.into(), attributes: Vec::new() }
+            Layer { name: format!("{name}{i:02}"), is_color: false, channels: channels.into(), attributes: Vec::new() }
         })
         .collect();
     let key = &format!("{:08x}", murmur3(name.as_bytes()))[..7];

@@ -1,7 +1,7 @@
 //! Pictures that scenes use: any format in, plain numbers out.
 
 use super::ImageError;
-use super::exr_file::decode_exr;
+use super::exr_read::decode_exr;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
 use std::io::Cursor;
 use std::path::{Path, PathBuf};

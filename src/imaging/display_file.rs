@@ -1,9 +1,9 @@
 //! Files of whole numbers: PNG, PPM, TGA, BMP and JPEG.
 
 use super::quantise::{Channels, Quantised};
-use super::{Curve, Encoding, FileKind, Metadata, Picture};
+use super::{Curve, Encoding, FileKind, Metadata, Picture, tga};
 use image::ExtendedColorType as Color;
-use image::codecs::{bmp::BmpEncoder, jpeg::JpegEncoder, tga::TgaEncoder};
+use image::codecs::{bmp::BmpEncoder, jpeg::JpegEncoder};
 use std::borrow::Cow;
 use std::fmt::Display;
 
@@ -21,7 +21,7 @@ pub(super) fn encode(
     }
 }
 
-/// Values of 8 bits, by the encoders of the `image` crate.
+/// Values of 8 bits.
 fn encode_bytes(kind: FileKind, picture: &Picture, encoding: &Encoding) -> Result<Vec<u8>, String> {
     let has_alpha = picture.has_alpha && kind.holds_alpha();
     let (channels, color) = if has_alpha { (Channels::Rgba, Color::Rgba8) } else { (Channels::Rgb, Color::Rgb8) };
@@ -31,10 +31,7 @@ fn encode_bytes(kind: FileKind, picture: &Picture, encoding: &Encoding) -> Resul
     let ([width, height], values) = (quantised.size, quantised.bytes());
     let mut bytes = Vec::new();
     let written = match kind {
-        FileKind::Tga { packed: true } => TgaEncoder::new(&mut bytes).encode(&values, width, height, color),
-        FileKind::Tga { packed: false } => {
-            TgaEncoder::new(&mut bytes).disable_rle().encode(&values, width, height, color)
-        }
+        FileKind::Tga { packed } => return tga::encode([width, height], &values, has_alpha, packed),
         FileKind::Jpeg => {
             JpegEncoder::new_with_quality(&mut bytes, encoding.quality).encode(&values, width, height, color)
         }
@@ -46,12 +43,12 @@ fn encode_bytes(kind: FileKind, picture: &Picture, encoding: &Encoding) -> Resul
 /// A portable pixmap, or greymap, with what made it in comments.
 fn encode_ppm(picture: &Picture, metadata: &Metadata, encoding: &Encoding) -> Vec<u8> {
     let (channels, magic) = if encoding.grey { (Channels::Grey, "P5") } else { (Channels::Rgb, "P6") };
-    let bits = if encoding.bits > 8 { 16 } else { 8 };
-    let Quantised { size: [width, height], max, values, .. } = Quantised::new(picture, channels, bits, encoding);
+    let Quantised { size: [width, height], max, values, .. } =
+        Quantised::new(picture, channels, encoding.bits, encoding);
     let comments: String = remarks(metadata).map(|(name, text)| format!("# {name}: {}\n", one_line(&text))).collect();
     let mut bytes = format!("{magic}\n{comments}{width} {height}\n{max}\n").into_bytes();
-    match bits {
-        8 => bytes.extend(values.iter().map(|value| *value as u8)),
+    match encoding.bits {
+        ..=8 => bytes.extend(values.iter().map(|value| *value as u8)),
         _ => bytes.extend(values.iter().flat_map(|value| value.to_be_bytes())),
     }
     bytes
@@ -65,7 +62,8 @@ pub(super) fn encode_png(
     compression: png::Compression,
 ) -> Result<Vec<u8>, String> {
     let (channels, color) = match (encoding.grey, picture.has_alpha) {
-        (true, _) => (Channels::Grey, png::ColorType::Grayscale),
+        (true, false) => (Channels::Grey, png::ColorType::Grayscale),
+        (true, true) => (Channels::GreyAlpha, png::ColorType::GrayscaleAlpha),
         (false, false) => (Channels::Rgb, png::ColorType::Rgb),
         (false, true) => (Channels::Rgba, png::ColorType::Rgba),
     };
@@ -119,8 +117,9 @@ fn file_bytes(quantised: &Quantised, bits: u8) -> Vec<u8> {
 /// What made the picture, by name.
 fn remarks(metadata: &Metadata) -> impl Iterator<Item = (&'static str, Cow<'_, str>)> {
     let software = (!metadata.software.is_empty()).then_some(("Software", metadata.software.as_str().into()));
+    let options = (!metadata.options.is_empty()).then_some(("Comment", metadata.options.as_str().into()));
     let notes = metadata.notes.iter().map(|(name, text)| (*name, text.as_str().into()));
-    software.into_iter().chain(notes)
+    software.into_iter().chain(options).chain(notes)
 }
 
 fn one_line(text: &(impl Display + ?Sized)) -> String {

@@ -72,6 +72,8 @@ impl FileKind {
 pub struct Encoding {
     /// EXR colours in single instead of half precision.
     pub float: bool,
+    /// EXR layers that are no colours in a part of their own.
+    pub parts: bool,
     /// Bits of a value in PNG and PPM files, 5 to 16; above 8 they take up two bytes.
     pub bits: u8,
     /// One value for each pixel instead of a colour: PNG and PPM files.
@@ -80,6 +82,8 @@ pub struct Encoding {
     pub quality: u8,
     /// From light to values, but in EXR and HDR files.
     pub curve: Curve,
+    /// From light to the values in which colours were multiplied by alpha: straight ones come from dividing there.
+    pub working: Curve,
     /// How light that falls between two values is spread, but in EXR, HDR and JPEG files.
     pub dither: Option<Dither>,
 }
@@ -87,7 +91,16 @@ pub struct Encoding {
 impl Default for Encoding {
     /// Half precision, 8 bits, sRGB. Source: quality, camera and image facts, section 4.2.
     fn default() -> Self {
-        Self { float: false, bits: 8, grey: false, quality: 85, curve: Curve::Srgb, dither: None }
+        Self {
+            float: false,
+            parts: false,
+            bits: 8,
+            grey: false,
+            quality: 85,
+            curve: Curve::Srgb,
+            working: Curve::Power(1.0),
+            dither: None,
+        }
     }
 }
 

@@ -40,10 +40,10 @@ impl Samples<'_> {
     }
 }
 
-/// All blocks from the top, compressed; `top` is the first line's coordinate.
+/// All blocks of the file's part of that number from the top, compressed; `top` is the first line's coordinate.
 ///
 /// Channels are in the order of their names, and each holds width x height values.
-pub(super) fn blocks(channels: &[Channel<'_>], [width, height]: [usize; 2], top: i32) -> Vec<Chunk> {
+pub(super) fn blocks(part: usize, channels: &[Channel<'_>], [width, height]: [usize; 2], top: i32) -> Vec<Chunk> {
     let starts: Vec<usize> = (0..height).step_by(BLOCK_LINES).collect();
     let block = |&start: &usize| {
         let mut bytes = Vec::new();
@@ -52,7 +52,7 @@ pub(super) fn blocks(channels: &[Channel<'_>], [width, height]: [usize; 2], top:
         }
         let packed = packed(&bytes).unwrap_or(bytes);
         let block = CompressedScanLineBlock { y_coordinate: top + start as i32, compressed_pixels_le: packed };
-        Chunk { layer_index: 0, compressed_block: CompressedBlock::ScanLine(block) }
+        Chunk { layer_index: part, compressed_block: CompressedBlock::ScanLine(block) }
     };
     // A single worker would only need memory of its own.
     if rayon::current_num_threads() > 1 {

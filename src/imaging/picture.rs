@@ -24,6 +24,8 @@ pub struct Picture {
 pub struct Layer {
     /// Prefix of the channel names in the file, as `depth` in `depth.Z`; empty for channels without.
     pub name: String,
+    /// Whether it is a colour in linear light, for which the file's colour space holds; other layers are data.
+    pub is_color: bool,
     /// Channel suffix and values.
     pub channels: Vec<(String, Vec<f32>)>,
     /// What the file's header says about the layer: names and texts.
@@ -37,6 +39,8 @@ pub struct Metadata {
     pub software: String,
     /// The scene file.
     pub scene: String,
+    /// The options that made it, in words.
+    pub options: String,
     /// The camera in words.
     pub camera: String,
     /// From world space to the camera's and to the picture's, where a matrix can say it.

@@ -1,7 +1,7 @@
 //! From linear light to the whole numbers of a file.
 
 use super::dither::Spread;
-use super::{Encoding, Picture};
+use super::{Curve, Encoding, Picture};
 
 /// Height x width x channels, row by row from the top, each 0 to `max`.
 #[derive(Debug, PartialEq)]
@@ -17,6 +17,7 @@ pub(super) struct Quantised {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Channels {
     Grey = 1,
+    GreyAlpha = 2,
     Rgb = 3,
     Rgba = 4,
 }
@@ -31,12 +32,16 @@ impl Quantised {
         let mut spread = Spread::new(encoding, max, picture.width);
         for (i, &pixel) in picture.pixels.iter().enumerate() {
             let light = match channels {
-                Channels::Grey => [grey(pixel); 4],
+                Channels::Grey => greyed(pixel, encoding.working),
+                Channels::GreyAlpha => greyed(straight(pixel, encoding.working), encoding.working),
                 Channels::Rgb => pixel,
-                Channels::Rgba => straight(pixel),
+                Channels::Rgba => straight(pixel, encoding.working),
             };
             let rounded = spread.rounded(light, [i % picture.width, i / picture.width]);
-            values.extend(&rounded[..channels as usize]);
+            match channels {
+                Channels::GreyAlpha => values.extend([rounded[0], rounded[3]]),
+                _ => values.extend(&rounded[..channels as usize]),
+            }
         }
         Self { size: [picture.width as u32, picture.height as u32], channels, max, values }
     }
@@ -47,24 +52,33 @@ impl Quantised {
     }
 }
 
+/// Grey of the scene's values, whatever curve those have, with alpha.
+fn greyed([r, g, b, alpha]: [f32; 4], working: Curve) -> [f32; 4] {
+    let [r, g, b] = [r, g, b].map(|light| working.encode(light));
+    let grey = working.decode(grey([r, g, b, alpha]));
+    [grey, grey, grey, alpha]
+}
+
 /// As POV-Ray weighs colours.
 fn grey([r, g, b, _]: [f32; 4]) -> f32 {
     0.297 * r + 0.589 * g + 0.114 * b
 }
 
-/// Colours brighter than their alpha raise it, as in POV-Ray.
-fn straight(pixel: [f32; 4]) -> [f32; 4] {
+/// Divided by alpha as values of the scene, whatever curve those have. Colours brighter than their alpha raise it, as in
+/// POV-Ray.
+fn straight([r, g, b, alpha]: [f32; 4], working: Curve) -> [f32; 4] {
     /// What a colour is divided by where there is nothing: measured.
     const LEAST_ALPHA: f32 = 1e-6;
-    let [r, g, b, alpha] = pixel;
-    let alpha = alpha.max(grey(pixel).min(1.0));
+    let [r, g, b] = [r, g, b].map(|light| working.encode(light));
+    let alpha = alpha.max(grey([r, g, b, alpha]).min(1.0));
     let scale = alpha.max(LEAST_ALPHA).recip();
-    [r * scale, g * scale, b * scale, alpha]
+    let [r, g, b] = [r, g, b].map(|value| working.decode(value * scale));
+    [r, g, b, alpha]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Curve, Dither};
+    use super::super::Dither;
     use super::*;
 
     fn check(pixel: [f32; 4], channels: Channels, encoding: Encoding, expected: &[u16]) {
@@ -82,6 +96,13 @@ mod tests {
         check(pixel, Channels::Rgb, with(8, Curve::Power(2.2)), &[186, 136, 255]);
         check([0.5, 0.5, 0.5, 0.1], Channels::Rgba, Encoding::default(), &[255, 255, 255, 128]);
         check([0.5, 0.0, 0.0, 0.1], Channels::Rgba, with(8, Curve::Power(1.0)), &[255, 0, 0, 38]);
+        // An edge in a scene of assumed_gamma 2.2.
+        let edge = [0.000_847_8, 0.000_847_8, 0.000_847_8, 0.1];
+        let working = Encoding { working: Curve::Power(2.2), ..Encoding::default() };
+        check(edge, Channels::Rgba, working, &[103, 103, 103, 26]);
+        // A colour <1,.5,.2> there.
+        check([1.0, 0.217_64, 0.028_99, 1.0], Channels::Grey, Encoding { bits: 16, ..working }, &[40_628]);
+        check([0.5, 0.0, 0.0, 0.1], Channels::GreyAlpha, with(8, Curve::Power(1.0)), &[76, 38]);
         check([f32::NAN, -1.0, f32::INFINITY, 1.0], Channels::Rgb, Encoding::default(), &[0, 0, 255]);
     }
 

@@ -1,6 +1,6 @@
 //! A picture to the bytes of a file.
 
-use super::exr_file::encode_exr;
+use super::exr_write::encode_exr;
 use super::{Encoding, FileKind, ImageError, Metadata, Picture, display_file, mark, write_whole};
 use image::Rgb;
 use image::codecs::hdr::HdrEncoder;
@@ -18,7 +18,7 @@ pub fn save_as(
     encoding: &Encoding,
 ) -> Result<(), ImageError> {
     let bytes = match kind {
-        FileKind::Exr => encode_exr(path, picture, metadata, encoding.float)?,
+        FileKind::Exr => encode_exr(path, picture, metadata, encoding)?,
         FileKind::Hdr => encode_hdr(picture).map_err(|why| ImageError::Invalid(path.to_owned(), why))?,
         _ => display_file::encode(kind, picture, metadata, encoding)
             .map_err(|why| ImageError::Invalid(path.to_owned(), why))?,

@@ -9,6 +9,7 @@ mod identity;
 mod library;
 mod outcome;
 mod projection;
+mod recipe;
 mod sequence;
 mod session;
 mod settings;

@@ -6,7 +6,7 @@ use super::state::{Earlier, State};
 use crate::compile::geometry::Watched;
 use crate::compiled::World;
 use crate::diag::{Diagnostic, SourceMap};
-use crate::imaging::{Metadata, Picture};
+use crate::imaging::{Curve, Metadata, Picture};
 use crate::omission::Ledger;
 use crate::render::{BLOCK, Options, Progress, Statistics};
 use std::path::Path;
@@ -57,6 +57,8 @@ pub struct Outcome {
     pub metadata: Metadata,
     /// Whether files show the scene's values as they are, by the sRGB curve, whatever their encoding says.
     pub display_values: bool,
+    /// The curve of the values in which colours were added and multiplied.
+    pub working: Curve,
     /// False if the observer stopped it before every pixel was there.
     pub complete: bool,
     /// How a picture with a target came about.

@@ -4,6 +4,7 @@ use super::exposure::Mean;
 use super::identity::Noting;
 use super::library::{Library, Remembering};
 use super::projection::projection;
+use super::recipe::recipe;
 use super::state::{self, Earlier, State};
 use super::{Explanation, Identity, Job, Keeping, Outcome, Output, Ready, Timings};
 use crate::compile::geometry::Watched;
@@ -107,6 +108,7 @@ impl Session {
         let metadata = Metadata {
             software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
             scene: job.scene.display().to_string(),
+            options: recipe(job),
             camera: describe(&world.camera),
             projection: projection(&world.camera),
             rays: rendered.statistics.rays(),
@@ -116,10 +118,12 @@ impl Session {
         let Rendered { picture, complete, progress, statistics } = rendered;
         let explanation = Explanation { found: world.summary(), ledger, rays: statistics };
         let display_values = world.settings.display_values;
+        let working = world.settings.transfer.curve();
         Outcome {
             picture,
             metadata,
             display_values,
+            working,
             complete,
             progress,
             warnings,
@@ -149,7 +153,9 @@ impl Session {
         for clock in clocks {
             mean.add(moment(clock)?.0);
         }
-        Ok(mean.outcome())
+        let mut outcome = mean.outcome();
+        outcome.metadata.options = recipe(job);
+        Ok(outcome)
     }
 
     /// Writes a picture's files, each whole or not at all.
@@ -157,10 +163,11 @@ impl Session {
     /// # Errors
     /// When one cannot be written; those before it are there.
     pub fn write(&self, outcome: &mut Outcome, outputs: &[Output]) -> Result<(), ImageError> {
-        let Outcome { picture, metadata, display_values, timings, state, .. } = outcome;
+        let Outcome { picture, metadata, display_values, working, timings, state, .. } = outcome;
         let save = |output: &Output| {
             let curve = if *display_values { Curve::Srgb } else { output.encoding.curve };
-            imaging::save_as(&output.file, output.kind, picture, metadata, &Encoding { curve, ..output.encoding })
+            let encoding = Encoding { curve, working: *working, ..output.encoding };
+            imaging::save_as(&output.file, output.kind, picture, metadata, &encoding)
         };
         let save = || outputs.iter().try_for_each(save);
         let written = timings.time("write", || self.on_all_threads(save));
@@ -172,9 +179,16 @@ impl Session {
     }
 
     /// Whether the job's file is there already: `None` without one, else whether it says that it is the same picture.
+    /// Then nothing stays beside it of a run that was killed between writing it and clearing up.
     pub fn is_made(&self, job: &Job, ready: &Ready) -> Option<bool> {
-        let bytes = std::fs::read(job.kept_beside()?).ok().filter(|bytes| !bytes.is_empty())?;
-        Some(imaging::mark_of(&bytes).as_deref() == Some(&*Identity::new(job, &ready.digest).to_string()))
+        let file = job.marked_file()?;
+        let bytes = std::fs::read(file).ok().filter(|bytes| !bytes.is_empty())?;
+        let is_made = imaging::mark_of(&bytes).as_deref() == Some(&*Identity::new(job, &ready.digest).to_string());
+        if is_made {
+            imaging::sweep(file);
+            let _ = std::fs::remove_file(state::state_file(file));
+        }
+        Some(is_made)
     }
 }
 

@@ -36,12 +36,17 @@ pub enum Keeping {
 }
 
 impl Job {
+    /// The file that says which picture it is, if anything is to be kept.
+    pub(super) fn marked_file(&self) -> Option<&Path> {
+        let file = self.outputs.first().map(|output| output.file.as_path())?;
+        let is_file = file != Path::new("-") && !file.metadata().is_ok_and(|metadata| !metadata.is_file());
+        (self.keeping != Keeping::Nothing && is_file).then_some(file)
+    }
+
     /// The file beside which pieces are kept, if there can be any: pictures with a target or layers have none.
     pub(super) fn kept_beside(&self) -> Option<&Path> {
-        let file = self.outputs.first().map(|output| output.file.as_path())?;
         let is_plain = self.rendering.target.is_none() && self.rendering.layers.is_empty();
-        let is_file = file != Path::new("-") && !file.metadata().is_ok_and(|metadata| !metadata.is_file());
-        (self.keeping != Keeping::Nothing && is_plain && is_file).then_some(file)
+        self.marked_file().filter(|_| is_plain)
     }
 }
 

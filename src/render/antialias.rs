@@ -97,7 +97,7 @@ impl Antialias {
     }
 
     fn contrast(&self, worker: &Worker<'_>) -> Contrast {
-        Contrast { threshold: self.threshold, transfer: worker.world().settings.transfer }
+        Contrast { threshold: self.threshold, exponent: self.exponent(), transfer: worker.world().settings.transfer }
     }
 
     /// Where a sample meant for a position is taken.

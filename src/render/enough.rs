@@ -11,8 +11,6 @@ use crate::math::Rgb;
 use std::cell::OnceCell;
 use std::f64::consts::PI;
 
-/// Exponent of POV-Ray's `Antialias_Gamma`, in whose space colours are compared.
-const COMPARE_GAMMA: f32 = 2.5;
 /// POV-Ray's largest difference of neighbouring samples of an area light between which nothing is looked at.
 const AREA_THRESHOLD: f32 = 0.1;
 
@@ -21,6 +19,8 @@ const AREA_THRESHOLD: f32 = 0.1;
 pub(super) struct Contrast {
     /// Sum of the differences of the channels, 0 to 1.
     pub(super) threshold: f64,
+    /// The power of light that is compared.
+    pub(super) exponent: f32,
     /// From the scene's working values to linear light.
     pub(super) transfer: Transfer,
 }
@@ -52,7 +52,7 @@ impl Contrast {
     }
 
     fn display(&self, sample: &Compared) -> Rgb {
-        let of = |v: f32| self.transfer.linear(v).max(0.0).powf(1.0 / COMPARE_GAMMA);
+        let of = |v: f32| self.transfer.linear(v).max(0.0).powf(self.exponent);
         *sample.display.get_or_init(|| sample.light.rgb.map(of))
     }
 }

@@ -85,6 +85,16 @@ impl ImageLayer {
         }
     }
 
+    /// Whether it is a colour in linear light. Variance is a square of working values; Cryptomatte holds names.
+    pub(super) fn is_color(self) -> bool {
+        match self {
+            Self::Albedo | Self::Emission | Self::Direct | Self::Indirect | Self::Reflection => true,
+            Self::Refraction | Self::Background | Self::Atmosphere | Self::Media => true,
+            Self::Depth | Self::Position | Self::Normal | Self::GeometricNormal => false,
+            Self::Samples | Self::Variance | Self::CryptoObject | Self::CryptoMaterial => false,
+        }
+    }
+
     /// The layer of a name, in any case.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|layer| layer.name().eq_ignore_ascii_case(name))

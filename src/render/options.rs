@@ -48,6 +48,23 @@ pub struct Antialias {
     pub depth: u32,
     /// Amount of jitter, 0 to 1.
     pub jitter: f64,
+    /// Of light to this power's inverse differences are taken.
+    pub gamma: f32,
+}
+
+impl Antialias {
+    /// That of POV-Ray.
+    pub const GAMMA: f32 = 2.5;
+
+    /// The power of light of which differences are taken: none where gamma says nothing, as in POV-Ray.
+    ///
+    /// Source: camera and image facts, section 3.
+    pub(super) fn exponent(&self) -> f32 {
+        /// How near to 1 counts as 1.
+        const LINEAR_WITHIN: f32 = 0.01;
+        let exponent = 1.0 / self.gamma;
+        if self.gamma <= 0.0 || (exponent - 1.0).abs() < LINEAR_WITHIN { 1.0 } else { exponent }
+    }
 }
 
 /// The two ways.

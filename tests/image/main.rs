@@ -57,6 +57,6 @@ fn small(antialias: Option<Antialias>) -> Options {
 
 /// No antialiasing, and both ways with jitter.
 fn ways() -> [Option<Antialias>; 3] {
-    let way = |method| Some(Antialias { method, threshold: 0.1, depth: 2, jitter: 1.0 });
+    let way = |method| Some(Antialias { method, threshold: 0.1, depth: 2, jitter: 1.0, gamma: Antialias::GAMMA });
     [None, way(Method::Grid), way(Method::Adaptive)]
 }

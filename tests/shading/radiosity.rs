@@ -135,8 +135,13 @@ const ROOM: &str = "camera{location <0,1.5,-3.8> look_at <0,1.2,0> right x up y 
     box{<-1.4,0,0>,<-.4,1.6,1> pigment{rgb .8} finish{diffuse .8} rotate 10*y}";
 
 fn in_room(threads: usize, region: Option<Region>) -> Vec<[f32; 4]> {
-    let antialias =
-        whitted::render::Antialias { method: whitted::render::Method::Grid, threshold: 0.2, depth: 2, jitter: 0.0 };
+    let antialias = whitted::render::Antialias {
+        method: whitted::render::Method::Grid,
+        threshold: 0.2,
+        depth: 2,
+        jitter: 0.0,
+        gamma: 2.5,
+    };
     let options = Options { width: 80, height: 70, region, antialias: Some(antialias), ..Options::default() };
     let text = format!("#version 3.7; global_settings {{ assumed_gamma 1 }} {ROOM}");
     crate::picture_by(threads, &text, &options).pixels

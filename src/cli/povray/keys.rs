@@ -41,7 +41,7 @@ pub(super) static KEYS: &[Key] = &[
     work("All_File", Name, |s, v| stream_file(s, Sort::All, v)),
     work("Antialias", Bool, |s, v| set(&mut s.antialias, v.on())),
     work("Antialias_Depth", Whole, |s, v| set(&mut s.depth, v.whole())),
-    work("Antialias_Gamma", Real, |_, v| antialias_gamma(v)),
+    work("Antialias_Gamma", Real, |s, v| set(&mut s.antialias_gamma, v.real())),
     work("Antialias_Threshold", Real, |s, v| set(&mut s.threshold, v.real())),
     work("Append_File", Bool, |s, v| set(&mut s.appends, v.on())),
     work("Bits_Per_Color", Whole, |s, v| set(&mut s.bits, v.whole())),
@@ -194,6 +194,7 @@ fn library_path(settings: &mut Settings, value: &Value) -> Result<(), String> {
 /// A number that the scene knows by a name; of several the first counts.
 fn declare(settings: &mut Settings, value: &Value) -> Result<(), String> {
     let (name, number) = value.text().split_once('=').ok_or("expected Declare=NAME=NUMBER")?;
+    let name = name.trim();
     let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
         && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     if !is_name {
@@ -254,12 +255,6 @@ fn file_gamma(settings: &mut Settings, value: &Value) -> Result<(), String> {
     Ok(())
 }
 
-fn antialias_gamma(value: &Value) -> Result<(), String> {
-    /// That of POV-Ray and of the renderer.
-    const USUAL: f64 = 2.5;
-    if value.real() == USUAL { Ok(()) } else { Err(format!("only {USUAL} is supported, which is POV-Ray's default")) }
-}
-
 fn block_size(_: &mut Settings, value: &Value) -> Result<(), String> {
     if value.whole() < 4 { Err("a block has at least 4 pixels along a side".into()) } else { Ok(()) }
 }
@@ -269,7 +264,8 @@ fn version(settings: &mut Settings, value: &Value) -> Result<(), String> {
     if !(0.0..=370.0).contains(&hundredths) {
         return Err("must be 0 to 3.7".into());
     }
-    settings.version = Some(hundredths as u32);
+    // There is nothing below 1.0. Source: command line facts, section 10.
+    settings.version = Some((hundredths as u32).max(100));
     Ok(())
 }
 

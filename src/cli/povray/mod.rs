@@ -59,6 +59,11 @@ pub(super) fn run_with(arguments: &[OsString]) -> ExitCode {
     complaint.iter().for_each(|complaint| line(format_args!("povray: {complaint}")));
     match Reader::read(arguments, initial) {
         Ok(reading) if reading.settings.scene.is_none() => refuse(arguments, "No input file provided", None),
+        Ok(reading) if reading.settings.asks_for_impossible_grey() => {
+            let reason = "only PNG and PPM files can be grey".into();
+            let refusal = Refusal { place: "Grayscale_Output".into(), reason, hint: None };
+            refuse(arguments, "Unsupported combination of options", Some(&refusal))
+        }
         Ok(reading) => run::run(&reading),
         Err(refusal) => refuse(arguments, "Failed to parse command-line option", Some(&refusal)),
     }

@@ -45,7 +45,8 @@ pub(super) fn picture(settings: &Settings, frame: Option<(u32, usize)>) -> PathB
         Some(name) => {
             let stem = name.strip_suffix(ending).or_else(|| name.strip_suffix('.')).unwrap_or(name);
             let file = own.file_name().unwrap_or_default().to_string_lossy();
-            if stem.is_empty() || stem.ends_with('/') { format!("{stem}{file}") } else { stem.into() }
+            let lacks_name = (stem.is_empty() || stem.ends_with('/')) && !name.ends_with('.');
+            if lacks_name { format!("{stem}{file}") } else { stem.into() }
         }
     };
     format!("{stem}{number}{ending}").into()
@@ -74,6 +75,7 @@ mod tests {
         check("s.pov", "out.PNG", png, None, "out.PNG.png");
         check("s.pov", "out.jpeg", FileKind::Jpeg, None, "out.jpeg.jpg");
         check("s.pov", ".png", png, None, "s.png");
+        check("s.pov", "d/.", png, None, "d/.png");
         check("s.pov", ".tga", png, None, ".tga.png");
         check("sub/s.pov", "d/", tga, None, "d/s.tga");
         check("s.pov", "stdout", png, None, "-");

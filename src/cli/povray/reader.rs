@@ -163,7 +163,8 @@ impl Reader {
             std::fs::read(path).map_err(|error| self.refusal(&path.display().to_string(), error.to_string(), None))?;
         self.open.push((path.to_owned(), 0));
         let mut holds = true;
-        for (i, line) in String::from_utf8_lossy(&bytes).lines().enumerate() {
+        let text = String::from_utf8_lossy(&bytes).replace("\r\n", "\n");
+        for (i, line) in text.split(['\n', '\r']).enumerate() {
             if let Some(open) = self.open.last_mut() {
                 open.1 = i + 1;
             }

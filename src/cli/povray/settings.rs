@@ -35,6 +35,7 @@ pub(super) struct Settings {
     pub(super) depth: i64,
     pub(super) jitter: bool,
     pub(super) jitter_amount: f64,
+    pub(super) antialias_gamma: f64,
     pub(super) quality: i64,
     pub(super) clock: Option<f64>,
     pub(super) initial_frame: Option<i64>,
@@ -104,6 +105,7 @@ impl Default for Settings {
             depth: 3,
             jitter: true,
             jitter_amount: 1.0,
+            antialias_gamma: f64::from(Antialias::GAMMA),
             quality: 9,
             clock: None,
             initial_frame: None,
@@ -138,8 +140,8 @@ impl Settings {
             width,
             height,
             antialias: self.antialias(),
-            quality: if (0..=9).contains(&self.quality) { self.quality as u8 } else { 9 },
-            alpha: self.alpha && self.kind.holds_alpha() && !self.is_grey(),
+            quality: self.quality.clamp(0, 9) as u8,
+            alpha: self.alpha && self.kind.holds_alpha(),
             region: self.region()?,
             ..Options::default()
         })
@@ -156,6 +158,7 @@ impl Settings {
             threshold: self.threshold.clamp(0.0, 1.0),
             depth: self.depth.clamp(1, 9) as u32,
             jitter: if self.jitter { self.jitter_amount.clamp(0.0, 1.0) } else { 0.0 },
+            gamma: self.antialias_gamma as f32,
         })
     }
 
@@ -192,7 +195,6 @@ impl Settings {
         // Grey PNG files have 16 bits whatever is asked for.
         let bits = if self.is_grey() && self.kind == FileKind::Png { 16 } else { self.bits.clamp(5, 16) as u8 };
         Encoding {
-            float: false,
             bits,
             grey: self.is_grey(),
             quality: if (2..=100).contains(&self.compression) {
@@ -202,12 +204,17 @@ impl Settings {
             },
             curve: self.file_gamma,
             dither: self.dithers.then_some(self.dither),
+            ..Encoding::default()
         }
     }
 
-    /// Other kinds of files have no grey.
     fn is_grey(&self) -> bool {
         self.grey && matches!(self.kind, FileKind::Png | FileKind::Ppm)
+    }
+
+    /// Whether the picture should be grey in a kind of file that has no grey.
+    pub(super) fn asks_for_impossible_grey(&self) -> bool {
+        self.to_file && self.grey && !self.is_grey()
     }
 
     pub(super) fn stream(&self, sort: Sort) -> &Stream {

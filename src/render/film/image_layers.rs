@@ -19,7 +19,7 @@ impl ImageLayer {
         let one = |channel: &str, value: &dyn Fn(&Detail) -> f32| {
             let name = if channel == "Z" { String::new() } else { self.name().into() };
             let channels = vec![(channel.to_owned(), pixels.iter().map(value).collect())];
-            vec![Layer { name, channels, attributes: Vec::new() }]
+            vec![Layer { name, is_color: false, channels, attributes: Vec::new() }]
         };
         match self {
             Self::Depth => one("Z", &|p| depth(world, p)),
@@ -58,7 +58,8 @@ impl ImageLayer {
 
     fn three(self, names: [&str; 3], values: Vec<[f32; 3]>) -> Vec<Layer> {
         let channel = |i: usize| (names[i].to_owned(), values.iter().map(|v| v[i]).collect());
-        vec![Layer { name: self.name().into(), channels: (0..3).map(channel).collect(), attributes: Vec::new() }]
+        let channels = (0..3).map(channel).collect();
+        vec![Layer { name: self.name().into(), is_color: self.is_color(), channels, attributes: Vec::new() }]
     }
 }
 

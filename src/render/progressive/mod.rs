@@ -213,6 +213,7 @@ impl<'a, G: Gather> Sampling<'a, G> {
         };
         let layer = |name: &str, values: Vec<f32>| Layer {
             name: name.into(),
+            is_color: false,
             channels: vec![("Y".into(), values)],
             attributes: Vec::new(),
         };
