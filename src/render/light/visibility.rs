@@ -10,7 +10,7 @@ use crate::compiled::texture::Frame;
 use crate::math::{DVec3, Range, Ray, Rgb, power};
 use crate::render::medium::{Interiors, Passage, fog_transmittance};
 use crate::render::random::{Branch, Random};
-use crate::render::shade::{Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
+use crate::render::shade::{Layers, Lookup, TexturePoint, TextureSpace, context, resolve, texture_space};
 use crate::render::vertex::{Place, facing};
 use crate::render::worker::Worker;
 
@@ -172,7 +172,8 @@ fn passage<'a>(world: &'a World, place: &impl Place, (ray, length): (&'a Ray, f6
 /// What all textures of a surface let through.
 fn surface_transmittance(worker: &Worker<'_>, surface: &Surface, hit: &Hit, ray: &Ray) -> Rgb {
     let world = worker.world();
-    let mut lookup = Lookup::new(surface, ray.direction, facing(surface, ray.direction), None);
+    let mut context = context(surface, ray.direction, facing(surface, ray.direction));
+    let mut lookup = Lookup { context: &mut context, lane: None };
     let caustics = world.interior(surface.interior.interior).caustics;
     let mut sum = Rgb::ZERO;
     for seen in &surface.textures {

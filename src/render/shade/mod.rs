@@ -22,21 +22,15 @@ use crate::math::{Color, DVec3, Rgb, Transform};
 pub(super) struct Lookup<'p> {
     /// What patterns may ask about the place. The normal of the last layer with bumps stays for patterns that ask for
     /// the slope, in whatever layer or texture of the place they stand, as in POV-Ray.
-    pub(super) context: Context,
+    pub(super) context: &'p mut Context,
     /// Where the colours of neighbours are found at once.
     pub(super) lane: Option<Lane<'p>>,
 }
 
-impl<'p> Lookup<'p> {
-    /// On a surface before any bump, seen along a unit direction, from which `normal` is turned to.
-    #[inline(always)]
-    pub(super) fn new(surface: &Surface, direction: DVec3, normal: DVec3, lane: Option<Lane<'p>>) -> Self {
-        // In one piece, so that it is made where it stays.
-        Self {
-            context: Context { uv: surface.uv, normal, perturbed_normal: normal, direction, point: surface.point },
-            lane,
-        }
-    }
+/// What patterns may ask about a surface before any bump, seen along a unit direction, from which `normal` is turned to.
+#[inline(always)]
+pub(super) fn context(surface: &Surface, direction: DVec3, normal: DVec3) -> Context {
+    Context { uv: surface.uv, normal, perturbed_normal: normal, direction, point: surface.point }
 }
 
 /// Where a texture is looked up.
@@ -106,7 +100,7 @@ fn resolve_pattern<T: Mix>(
     lookup: &mut Lookup<'_>,
     of_layers: &mut impl FnMut(Layers<'_>, &mut Lookup<'_>) -> T,
 ) -> T {
-    let (pick, warped) = patterned.pattern.pick(&patterned.items, at.point, &lookup.context);
+    let (pick, warped) = patterned.pattern.pick(&patterned.items, at.point, lookup.context);
     let point = if patterned.uv_mapping { lookup.context.uv_point() } else { warped };
     frame.enter(&patterned.pattern, patterned.no_bump_scale);
     let mut of = |item: &Texture, entry: usize| {
@@ -185,7 +179,7 @@ impl<'t> LayerRef<'_, 't> {
         let facing = lookup.context.normal;
         match &self.layer().normal {
             Some(bumps) if options.reflection_and_normals() => {
-                let bent = bumps.perturb(facing, self.of.at.point, self.of.frame, &lookup.context);
+                let bent = bumps.perturb(facing, self.of.at.point, self.of.frame, lookup.context);
                 lookup.context.perturbed_normal = bent.inner;
                 bent.normal
             }
@@ -201,7 +195,7 @@ impl<'t> LayerRef<'_, 't> {
             return Some(quick);
         }
         let known = lookup.lane.filter(|_| self.of.at.plain).and_then(|lane| lane.color(self.index));
-        known.or_else(|| layer.pigment.color(self.of.at.point, &lookup.context))
+        known.or_else(|| layer.pigment.color(self.of.at.point, lookup.context))
     }
 }
 

@@ -17,7 +17,7 @@ use super::light::ArrivingLight;
 use super::path::Path;
 use super::radiance::Radiance;
 use super::random::Random;
-use super::shade::{Known, Layers, Lookup, TexturePoint, TextureSpace, resolve, texture_space};
+use super::shade::{Known, Layers, Lookup, TexturePoint, TextureSpace, context, resolve, texture_space};
 use super::statistics::Statistics;
 use super::vertex::Vertex;
 use super::worker::Worker;
@@ -53,7 +53,8 @@ pub(super) fn reflected<G: Gather>(
 ) -> G {
     let world = worker.world();
     let vertex = Vertex::new(path, hit.t, surface);
-    let mut lookup = Lookup::new(surface, vertex.view(), vertex.facing, known.and_then(|known| known.lane));
+    let mut context = context(surface, vertex.view(), vertex.facing);
+    let mut lookup = Lookup { context: &mut context, lane: known.and_then(|known| known.lane) };
     let mut arriving = ArrivingLight::default();
     let mut found = G::default();
     for (i, seen) in surface.textures.iter().enumerate() {
