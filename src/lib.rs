@@ -31,6 +31,7 @@ pub mod compile;
 pub mod compiled;
 pub mod diag;
 pub mod eval;
+pub mod expanded;
 pub mod function;
 pub mod imaging;
 pub mod job;

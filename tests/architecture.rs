@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// From the first to the last: a module knows those before it, never those behind it.
-const ORDER: [&str; 16] = [
+const ORDER: [&str; 17] = [
     "omission",
     "math",
     "diag",
@@ -13,6 +13,7 @@ const ORDER: [&str; 16] = [
     "syntax",
     "scene",
     "eval",
+    "expanded",
     "compiled",
     "compile",
     "render",

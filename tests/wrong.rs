@@ -7,7 +7,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 use whitted::compile::{self, Queries};
 use whitted::diag::{Diagnostic, SourceMap};
-use whitted::eval::{self, Disk, Limits, Options, Reach};
+use whitted::eval::{Disk, Limits, Options, Reach};
+use whitted::expanded;
 
 /// All that is said about a scene, as `whitted render --embedded-includes` says it.
 fn messages(scene: &Path) -> String {
@@ -15,8 +16,8 @@ fn messages(scene: &Path) -> String {
     let show = |diagnostics: &[Diagnostic], sources: &SourceMap| -> String {
         diagnostics.iter().map(|d| d.render(sources, false)).collect()
     };
-    match eval::evaluate(scene, &Options { limits: Limits::strict(), ..Options::default() }, &host, &Queries::default())
-    {
+    let options = Options { limits: Limits::strict(), ..Options::default() };
+    match expanded::evaluate(scene, &options, &host, &Queries::default()) {
         Err(failed) => show(&failed.diagnostics, &failed.sources),
         Ok(read) => {
             let compiled = match compile::compile(&read.scene) {

@@ -1,10 +1,11 @@
 //! `whitted dump`: what a stage makes of a scene, as text.
 
 use super::scene_arguments::SceneArguments;
-use super::{ERROR, fail};
+use super::{ERROR, explain, fail};
 use crate::compile::{self, Queries};
 use crate::diag::SourceMap;
-use crate::eval::{self, Host as _};
+use crate::eval::Host as _;
+use crate::expanded;
 use crate::syntax;
 use std::io::{self, Write as _};
 use std::process::ExitCode;
@@ -27,9 +28,9 @@ enum Stage {
     Tokens,
     /// The scene file's directives with the lines they reach over
     Tree,
-    /// What the scene describes once every directive has run
+    /// What the scene describes once every directive has run, in the expanded language
     Scene,
-    /// How much there is of what rays meet
+    /// The graph as rays meet it: groups, instances, solids, places, boxes and textures, and what was left out
     Compiled,
 }
 
@@ -68,13 +69,12 @@ fn scene(arguments: &Arguments) -> Result<String, ExitCode> {
         scene.how.messages.show(diagnostics, sources);
         ExitCode::from(ERROR)
     };
-    let read = eval::evaluate(&scene.scene, &scene.reading(width, height), &scene.host(), &Queries::default())
+    let read = expanded::evaluate(&scene.scene, &scene.reading(width, height), &scene.host(), &Queries::default())
         .map_err(|failed| show(&failed.diagnostics, &failed.sources))?;
     if matches!(arguments.stage, Stage::Scene) {
-        return Ok(read.scene.dump());
+        return Ok(expanded::text(&read.scene, &expanded::Style::default()));
     }
     let compiled = compile::compile(&read.scene).map_err(|errors| show(&errors, &read.sources))?;
-    let world = compiled.world;
-    let lines = world.summary().into_iter().map(|(what, count)| format!("{what:<22}{count:>12}\n"));
-    Ok(lines.collect())
+    let left_out = explain::omissions(&compiled.ledger);
+    Ok(compiled.world.dump() + left_out.trim_start() + if left_out.is_empty() { "" } else { "\n" })
 }

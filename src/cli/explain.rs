@@ -2,7 +2,7 @@
 
 use super::messages;
 use crate::job::Explanation;
-use crate::omission::{Keep, Omission};
+use crate::omission::{Keep, Ledger, Omission};
 use crate::render::Statistics;
 
 /// Names of what is to be kept, as typed: `all`, or a list.
@@ -31,6 +31,13 @@ fn text(explanation: &Explanation) -> String {
     for (what, count) in found.iter().filter(|(_, count)| *count > 0) {
         text += &format!("\n  {what:<52}{count:>12}");
     }
+    text += &omissions(ledger);
+    text + "\nrays" + &of_rays(rays)
+}
+
+/// What was left out and what was kept although it need not be, under titles.
+pub(super) fn omissions(ledger: &Ledger) -> String {
+    let mut text = String::new();
     let mut left_out = String::new();
     let mut kept = String::new();
     for omission in Omission::ALL {
@@ -49,7 +56,7 @@ fn text(explanation: &Explanation) -> String {
             text += &format!("\n{title}{list}");
         }
     }
-    text + "\nrays" + &of_rays(rays)
+    text
 }
 
 fn of_rays(rays: &Statistics) -> String {

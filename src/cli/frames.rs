@@ -28,14 +28,14 @@ pub(super) struct Frames {
     cyclic: bool,
 }
 
-fn range(text: &str) -> Result<(u32, u32), String> {
+pub(super) fn range(text: &str) -> Result<(u32, u32), String> {
     let (first, last) = text.split_once('-').ok_or("expected A-B")?;
     let number = |text: &str| text.trim().parse::<u32>().map_err(|_| format!("'{text}' is not a frame's number"));
     let (first, last) = (number(first)?, number(last)?);
     if first <= last { Ok((first, last)) } else { Err("the first frame must not lie behind the last".into()) }
 }
 
-fn clocks(text: &str) -> Result<(f64, f64), String> {
+pub(super) fn clocks(text: &str) -> Result<(f64, f64), String> {
     let (from, to) = text.split_once(',').ok_or("expected FROM,TO")?;
     let number = |text: &str| match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),

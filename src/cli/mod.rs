@@ -6,6 +6,7 @@
 mod check;
 mod compare;
 mod dump;
+mod expand;
 mod explain;
 mod frames;
 mod include_dirs;
@@ -17,6 +18,7 @@ mod render;
 mod report;
 mod scene_arguments;
 mod stability;
+mod trace;
 
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
@@ -42,6 +44,10 @@ enum Command {
     Check(check::Arguments),
     /// Print what a stage makes of a scene, as text
     Dump(dump::Arguments),
+    /// Write a scene without its macros, loops and includes, as one text for this program and for POV-Ray
+    Expand(expand::Arguments),
+    /// Tell how one pixel comes about: each ray, what it meets in which space, layers, lights, rays that go on
+    Trace(trace::Arguments),
     /// Tell how much two EXR pictures differ
     Compare(compare::Arguments),
     /// Measure error against run time on ladders of settings, and show it on a page
@@ -73,6 +79,8 @@ pub fn run() -> ExitCode {
         Command::Render(arguments) => render::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Dump(arguments) => dump::run(&arguments),
+        Command::Expand(arguments) => expand::run(&arguments),
+        Command::Trace(arguments) => trace::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Povray(arguments) => povray::run(&arguments),

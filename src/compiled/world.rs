@@ -51,6 +51,26 @@ pub struct World {
 }
 
 impl World {
+    /// The world as rays meet it, as an indented tree: what stands in which group, solid and place, its box, and which
+    /// texture it shows; then lights, and how much there is of what. The same for the same scene, every time.
+    pub fn dump(&self) -> String {
+        use std::fmt::Write as _;
+        let mut out = self.geometry.dump();
+        for (i, light) in self.lights.iter().enumerate() {
+            let kind = if i < self.global_lights.len() { "light" } else { "light of a group" };
+            let (at, color) = (light.location, light.color);
+            let _ = writeln!(
+                out,
+                "{kind} {i} at <{}, {}, {}> rgb <{}, {}, {}>",
+                at.x, at.y, at.z, color.x, color.y, color.z
+            );
+        }
+        for (what, count) in self.summary() {
+            let _ = writeln!(out, "{what:<22}{count:>12}");
+        }
+        out
+    }
+
     /// How much there is of what, in a fixed order.
     pub fn summary(&self) -> Vec<(&'static str, usize)> {
         let mut summary = self.geometry.summary();

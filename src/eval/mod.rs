@@ -164,9 +164,28 @@ pub fn evaluate(
     host: &dyn Host,
     queries: &dyn GeometryQueries,
 ) -> Result<Evaluated, Box<Failed>> {
+    let text = host.read(path).map_err(|e| {
+        let why = format!("cannot read {}: {e}", path.display());
+        let diagnostics = vec![Diagnostic::error(Span::default(), why).without_place()];
+        Box::new(Failed { diagnostics, sources: SourceMap::default() })
+    })?;
+    evaluate_text(path, text, options, host, queries)
+}
+
+/// The same for a text that was read already.
+///
+/// # Errors
+/// Those of [`evaluate`].
+pub fn evaluate_text(
+    path: &Path,
+    text: Vec<u8>,
+    options: &Options,
+    host: &dyn Host,
+    queries: &dyn GeometryQueries,
+) -> Result<Evaluated, Box<Failed>> {
     /// Address space, of which only what is used costs anything.
     const STACK: usize = 512 << 20;
-    stacker::grow(STACK, || Evaluator::new(options, host, queries).run(path))
+    stacker::grow(STACK, || Evaluator::new(options, host, queries).run(path, text))
 }
 
 impl<'h> Evaluator<'h> {
@@ -211,8 +230,8 @@ impl<'h> Evaluator<'h> {
         }
     }
 
-    fn run(mut self, path: &Path) -> Result<Evaluated, Box<Failed>> {
-        match self.read_scene(path) {
+    fn run(mut self, path: &Path, text: Vec<u8>) -> Result<Evaluated, Box<Failed>> {
+        match self.read_scene(path, text) {
             Ok(()) => Ok(Evaluated { scene: self.scene, warnings: self.warnings, sources: self.sources }),
             Err(mut errors) => {
                 let mut diagnostics = self.warnings;
@@ -222,12 +241,7 @@ impl<'h> Evaluator<'h> {
         }
     }
 
-    fn read_scene(&mut self, path: &Path) -> SourceResult<()> {
-        let text = self.host.read(path).map_err(|e| {
-            let mut diagnostic = Diagnostic::error(Span::default(), format!("cannot read {}: {e}", path.display()));
-            diagnostic.span = None;
-            vec![diagnostic]
-        })?;
+    fn read_scene(&mut self, path: &Path, text: Vec<u8>) -> SourceResult<()> {
         self.utf8 = text.starts_with(b"\xef\xbb\xbf");
         let source = self.take_in(path, text)?;
         self.declare_given(path);

@@ -89,7 +89,7 @@ impl Overrides {
     }
 
     /// Samples of an area light along an axis; a row stays a row.
-    pub(super) fn area_samples(&self, given: u32) -> u32 {
+    pub(crate) fn area_samples(&self, given: u32) -> u32 {
         if given < 2 { given } else { (f64::from(given) * self.area_light_grid).round().clamp(2.0, 4096.0) as u32 }
     }
 }

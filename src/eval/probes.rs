@@ -52,10 +52,9 @@ const PRELUDE: &str = "#macro F(e) #debug concat(str(e,0,6), \" \") #end #macro 
 /// The value of a declaration `#declare R = expression;`, by its numbers.
 fn declared(expression: &str) -> Result<Value, String> {
     let text = format!("#version 3.7;\n#declare R = {expression};");
-    let host = Memory::new([("main.pov", text.as_str())]);
-    let options = Options::default();
+    let (host, options) = (Memory::default(), Options::default());
     let mut evaluator = Evaluator::new(&options, &host, &NoQueries);
-    evaluator.read_scene("main.pov".as_ref()).map_err(|e| e[0].message.clone())?;
+    evaluator.read_scene("main.pov".as_ref(), text.into_bytes()).map_err(|e| e[0].message.clone())?;
     let name = evaluator.names.intern("R");
     evaluator.scopes.find(name).and_then(super::Place::get).ok_or_else(|| "nothing".to_owned())
 }

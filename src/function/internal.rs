@@ -55,6 +55,21 @@ impl Internal {
         (number <= 78).then(|| Self { number, generator, spectrum: Arc::default() })
     }
 
+    /// Which of them it is.
+    pub fn number(&self) -> u32 {
+        self.number
+    }
+
+    /// The noise that it was declared with.
+    pub fn generator(&self) -> NoiseGenerator {
+        self.generator
+    }
+
+    /// Tells what was declared once from the same function declared again: each declaration keeps numbers of its own.
+    pub fn identity(&self) -> usize {
+        Arc::as_ptr(&self.spectrum) as usize
+    }
+
     /// How many parameters follow x, y and z.
     pub fn n_extra(&self) -> usize {
         N_EXTRA[self.number as usize].into()

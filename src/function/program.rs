@@ -363,7 +363,7 @@ impl<T: External> ProgramBuilder<T> {
         needed[result as usize] = true;
         for i in (0..self.ops.len()).rev().filter(|&i| i <= result as usize) {
             if needed[i] {
-                each_operand(&self.ops[i], |slot| needed[slot as usize] = true);
+                self.ops[i].each_operand(|slot| needed[slot as usize] = true);
             }
         }
         let mut moved = vec![0; self.ops.len()];
@@ -536,7 +536,7 @@ impl<T: External> ProgramBuilder<T> {
                     None => self.constant(0.0),
                 },
                 Op::Unary(f, a) => self.unary(*f, at(a)),
-                Op::Binary(f, a, b) => self.plain_or_folded(*f, at(a), at(b)),
+                Op::Binary(f, a, b) => self.as_written(*f, at(a), at(b)),
                 Op::Select(slots) => self.select(slots.each_ref().map(at)),
                 Op::Call { callee, arguments, component, .. } => {
                     let (callee, arguments) = (callee.clone(), arguments.iter().map(at).collect());
@@ -553,8 +553,8 @@ impl<T: External> ProgramBuilder<T> {
         placed[program.result as usize]
     }
 
-    /// Inlined operations keep their own rounding: only whole constants are folded.
-    fn plain_or_folded(&mut self, f: Binary, a: Slot, b: Slot) -> Slot {
+    /// A function of two numbers that keeps its own rounding, as inlined operations do: only whole constants are folded.
+    pub fn as_written(&mut self, f: Binary, a: Slot, b: Slot) -> Slot {
         match (self.constant_at(a), self.constant_at(b)) {
             (Some(x), Some(y)) => self.constant(f.apply(x, y)),
             _ => self.plain(f, a, b),
@@ -562,9 +562,22 @@ impl<T: External> ProgramBuilder<T> {
     }
 }
 
-fn each_operand<T: External>(op: &Op<T>, mut visit: impl FnMut(Slot)) {
-    let mut copy = op.clone();
-    each_operand_mut(&mut copy, |slot| visit(*slot));
+impl<T> Op<T> {
+    /// Visits the slots that it reads.
+    pub fn each_operand(&self, mut visit: impl FnMut(Slot)) {
+        match self {
+            Self::Constant(_) | Self::Argument(_) => {}
+            Self::Unary(_, a) => visit(*a),
+            Self::Binary(_, a, b) => [*a, *b].into_iter().for_each(visit),
+            Self::Select(slots) => slots.iter().copied().for_each(visit),
+            Self::Call { arguments, .. } => arguments.iter().copied().for_each(visit),
+            Self::Fold { from, to, arguments, .. } => {
+                visit(*from);
+                visit(*to);
+                arguments.iter().copied().for_each(visit);
+            }
+        }
+    }
 }
 
 fn each_operand_mut<T>(op: &mut Op<T>, mut visit: impl FnMut(&mut Slot)) {

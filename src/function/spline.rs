@@ -52,6 +52,11 @@ impl Spline {
         self.knots.is_empty()
     }
 
+    /// The knots in order: where they are, and the value there.
+    pub fn knots(&self) -> &[(f64, [f64; 5])] {
+        &self.knots
+    }
+
     /// Adds a knot, kept sorted by `t`.
     ///
     /// A repeated `t` replaces the earlier value, except that a value repeating the

@@ -12,6 +12,7 @@ use crate::compile::{self, Compiled, Functions, Queries};
 use crate::compiled::World;
 use crate::compiled::camera::Camera;
 use crate::eval::{self, Evaluated, Failed, Host};
+use crate::expanded;
 use crate::imaging::{self, Curve, Encoding, ImageError, Metadata};
 use crate::math::DVec3;
 use crate::render::{self, Observer, Options, Progress, Rendered, Statistics, Target};
@@ -54,7 +55,7 @@ impl Session {
         let host = Remembering { host, library: &self.library };
         let host = Noting::new(&host);
         // On this thread, whose heap grows in large pages.
-        let read = timings.time("read", || eval::evaluate(scene, reading, &host, &Queries::sharing(&functions)));
+        let read = timings.time("read", || expanded::evaluate(scene, reading, &host, &Queries::sharing(&functions)));
         let Evaluated { scene: description, mut warnings, mut sources } = read?;
         sources.release_large();
         match timings
@@ -74,6 +75,11 @@ impl Session {
     /// A picture of a world, on all threads.
     pub fn picture(&self, world: &World, options: &Options, observer: &dyn Observer) -> Rendered {
         self.on_all_threads(|| render::render(world, options, observer))
+    }
+
+    /// How a pixel of a world comes about.
+    pub fn tell(&self, world: &World, options: &Options, pixel: [usize; 2]) -> render::Told {
+        self.on_all_threads(|| render::tell(world, options, pixel))
     }
 
     fn on_all_threads<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {

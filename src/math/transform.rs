@@ -71,6 +71,27 @@ impl Transform {
         if forward.is_finite() && backward.is_finite() { Ok(Self { forward, backward }) } else { Err(SingularMatrix) }
     }
 
+    /// A turn or mirroring about the origin, whose inverse is its transpose; `None` for anything else.
+    pub fn turning(linear: DMat3) -> Option<Self> {
+        /// Far above the rounding of turns, however many were put together, and far below any turn that is none.
+        const ROUNDING: f64 = 1e-9;
+        let rest = linear.transpose() * linear - DMat3::IDENTITY;
+        let is_turn = rest.to_cols_array().iter().all(|v| v.abs() < ROUNDING);
+        let (forward, backward) = (DAffine3::from_mat3(linear), DAffine3::from_mat3(linear.transpose()));
+        is_turn.then_some(Self { forward, backward })
+    }
+
+    /// From both ways, as they were found before.
+    ///
+    /// # Errors
+    /// [`SingularMatrix`] when one is not finite, or so far from the inverse of the other that it cannot have been.
+    pub fn from_both_ways(forward: DAffine3, backward: DAffine3) -> Result<Self, SingularMatrix> {
+        let known = Self { forward, backward };
+        let mut refined = backward;
+        let fits = forward.is_finite() && backward.is_finite() && refine(&forward, &mut refined).is_some();
+        if fits { Ok(known) } else { Err(SingularMatrix) }
+    }
+
     /// First `self`, then `next`: the order in which a scene file writes them.
     ///
     /// However many are put together, each way stays the inverse of the other to the last bits: what a ray meets on its

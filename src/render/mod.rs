@@ -6,7 +6,7 @@
 //!
 //! Read from the bottom of this list upwards, each module knows those below it:
 //!
-//! - `picture`: the whole; `progressive`: rounds of samples until the error is small; `antialias`: POV-Ray's positions;
+//! - `picture`: the whole; `told`: one pixel in words; `progressive`: rounds of samples until the error is small; `antialias`: POV-Ray's positions;
 //! - `pretrace`: light between surfaces, before the picture;
 //! - `work`: blocks on all cores; `sensor`: the rays through an image position;
 //! - `transport`: the recursion; `light`: what arrives at a vertex from light sources; `shade`: layers as values;
@@ -37,6 +37,7 @@ mod random;
 mod sensor;
 mod shade;
 mod statistics;
+mod told;
 mod transport;
 mod vertex;
 mod work;
@@ -50,3 +51,4 @@ pub use picture::{Rendered, render};
 pub use progressive::{Accuracy, End, Progress};
 pub use radiance::Radiance;
 pub use statistics::Statistics;
+pub use told::{Told, tell};

@@ -60,6 +60,11 @@ pub struct AreaLight {
     pub area_illumination: bool,
 }
 
+impl AreaLight {
+    /// `adaptive` where none was given: all samples are taken.
+    pub const NOT_ADAPTIVE: u32 = 100;
+}
+
 impl LightSource {
     /// Moves the light; radii, falloffs and fade distances keep their size, as in POV-Ray.
     pub fn apply(&mut self, transform: &Transform) {

@@ -2,6 +2,7 @@
 
 use super::{Function, Image, LightSource, Object, PlacedTexture, Texture};
 use crate::math::{DVec2, DVec3, DVec4, Transform};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Every geometric primitive of the language, and what groups them.
@@ -310,6 +311,8 @@ pub struct Prism {
 pub struct Text {
     /// The font file's bytes.
     pub font: Arc<Vec<u8>>,
+    /// Where they are from.
+    pub font_file: PathBuf,
     /// Character codes.
     pub characters: Vec<u16>,
     /// Whether `charset` asks for Unicode lookup.

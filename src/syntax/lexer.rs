@@ -328,6 +328,64 @@ mod tests {
         }
     }
 
+    /// Whether the rule `tokens`, which specifies the language, takes a text apart as the lexer does; texts that are not
+    /// UTF-8 and comments that nest too deeply for the grammar are the lexer's alone.
+    fn check_against_specification(what: &str, text: &[u8]) {
+        let Ok(text) = std::str::from_utf8(text) else { return };
+        let whole = TokenParser::parse(Rule::tokens, text).expect("the grammar takes any text");
+        let expected: Vec<Step> = whole
+            .flat_map(|tokens| tokens.into_inner())
+            .filter(|token| token.as_rule() != Rule::EOI)
+            .map(|token| Step { rule: token.as_rule(), start: token.as_span().start(), end: token.as_span().end() })
+            .collect();
+        let mut found = Vec::new();
+        let mut at = skip_blanks(text.as_bytes(), 0);
+        while at < text.len() {
+            let Some(step) = plain(text.as_bytes(), at).or_else(|| by_grammar(text.as_bytes(), at)) else { return };
+            if step.rule != Rule::gap {
+                found.push(step);
+            }
+            at = skip_blanks(text.as_bytes(), step.end);
+        }
+        let differs = (0..expected.len().max(found.len())).find(|&i| expected.get(i) != found.get(i));
+        assert!(differs.is_none(), "{what}: {:?}", differs.map(|i| (expected.get(i), found.get(i))));
+    }
+
+    /// Scenes below a folder.
+    fn scenes(folder: &std::path::Path) -> Vec<std::path::PathBuf> {
+        let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+        let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
+        let is_scene = |path: &std::path::PathBuf| path.extension().is_some_and(|e| e == "pov" || e == "inc");
+        folders.iter().flat_map(|folder| scenes(folder)).chain(files.into_iter().filter(is_scene)).collect()
+    }
+
+    #[test]
+    fn the_lexer_agrees_with_its_specification() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let all: Vec<_> =
+            ["golden", "examples", "src/include", "tests"].iter().flat_map(|f| scenes(&root.join(f))).collect();
+        assert!(all.len() > 100, "{}", all.len());
+        let mut random = 1_u64;
+        let mut next = |n: usize| {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (random >> 33) as usize % n.max(1)
+        };
+        for path in all {
+            let text = std::fs::read(&path).unwrap_or_default();
+            check_against_specification(&path.display().to_string(), &text);
+            // A short part of it, damaged.
+            let start = next(text.len());
+            let mut part = text[start..text.len().min(start + 400)].to_vec();
+            for _ in 0..8 {
+                let at = next(part.len());
+                if let Some(byte) = part.get_mut(at) {
+                    *byte = b"#/*\"<>.,e9 {}\\\n-"[next(17)];
+                }
+            }
+            check_against_specification("damaged", &part);
+        }
+    }
+
     #[test]
     fn vectors_are_one_token() {
         check("<1,2,3>,<1,-2> <a,1>", "Vectors < 'a , 1 >");

@@ -35,6 +35,7 @@ pub use directive::Directive;
 pub use dump::{dump_tokens, dump_tree};
 pub use keyword::Keyword;
 pub use names::{Names, Symbol};
+pub(crate) use numbers::number;
 pub use source::{Piece, Position, Source};
 pub use text::Text;
 pub use token::{Malformed, Token, TokenKind};

@@ -6,7 +6,7 @@ const POWERS: [f64; 16] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e1
 /// The number at the start of a text, with its sign, and how many bytes it takes; the nearest float, too large is
 /// infinite.
 #[inline]
-pub(super) fn number(text: &[u8]) -> Option<(f64, usize)> {
+pub(crate) fn number(text: &[u8]) -> Option<(f64, usize)> {
     let sign = usize::from(matches!(text.first(), Some(b'+' | b'-')));
     let (value, length) = match short(&text[sign..]) {
         Some(short) => short,

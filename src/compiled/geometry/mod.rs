@@ -11,6 +11,7 @@
 //! ```
 
 mod bvh;
+mod dump;
 mod graph;
 mod inside;
 mod parts;

@@ -7,7 +7,7 @@ use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::{BicubicPatch, Blob, BlobComponent, HeightField, Prism, Shape, SweepSpline, Text};
 use crate::syntax::Keyword as K;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Below this a blob cylinder has no axis, and two points of a sor have the same height, as in POV-Ray; of
@@ -294,7 +294,7 @@ impl Evaluator<'_> {
     }
 
     pub(super) fn text(&mut self, span: Span) -> SourceResult<Shape> {
-        let font = match self.keyword()? {
+        let (font, font_file) = match self.keyword()? {
             Some(K::Ttf) => {
                 self.next()?;
                 let span = self.span();
@@ -321,11 +321,11 @@ impl Evaluator<'_> {
         let offset = self.vector()?;
         let unicode = self.utf8;
         let characters = text.encode_utf16().collect();
-        Ok(Shape::Text(Arc::new(Text { font, characters, unicode, thickness, offset })))
+        Ok(Shape::Text(Arc::new(Text { font, font_file, characters, unicode, thickness, offset })))
     }
 
     /// A font of the system in place of one that comes with POV-Ray.
-    fn system_font(&mut self, name: &str, span: Span) -> SourceResult<Arc<Vec<u8>>> {
+    fn system_font(&mut self, name: &str, span: Span) -> SourceResult<(Arc<Vec<u8>>, PathBuf)> {
         let stem = name.rsplit(['/', '\\']).next().unwrap_or(name).trim_end_matches(".ttf").to_ascii_lowercase();
         let fonts = STANDARD_FONTS.iter().find(|(standard, _)| *standard == stem).map_or(&[][..], |(_, fonts)| fonts);
         let found = fonts.iter().find_map(|font| {
@@ -337,14 +337,17 @@ impl Evaluator<'_> {
         };
         let message = format!("\"{name}\" comes with POV-Ray, which is not installed; {} stands in", path.display());
         self.warn_here(Topic::Files, span, message);
-        Ok(font)
+        Ok((font, path))
     }
 
-    fn font_file(&mut self, name: &str, span: Span) -> SourceResult<Arc<Vec<u8>>> {
+    fn font_file(&mut self, name: &str, span: Span) -> SourceResult<(Arc<Vec<u8>>, PathBuf)> {
         let Some(path) = self.find_typed(name, &["ttf", "TTF", "ttc", "TTC"]) else {
             return self.system_font(name, span);
         };
-        self.font_at(&path).or_else(|problem| self.cannot_read(&path, &problem, span))
+        match self.font_at(&path) {
+            Ok(font) => Ok((font, path)),
+            Err(problem) => self.cannot_read(&path, &problem, span),
+        }
     }
 
     fn font_at(&mut self, path: &Path) -> io::Result<Arc<Vec<u8>>> {

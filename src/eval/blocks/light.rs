@@ -7,8 +7,7 @@ use crate::scene::{AreaLight, LightKind, LightSource, Object, PhotonFlags, Shape
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
-/// `adaptive` where none was given: all samples are taken.
-const NOT_ADAPTIVE: u32 = 100;
+const NOT_ADAPTIVE: u32 = AreaLight::NOT_ADAPTIVE;
 
 /// Modifiers that refer to each other and are put together at the closing brace.
 struct Draft {

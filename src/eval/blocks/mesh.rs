@@ -3,90 +3,19 @@
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{DVec2, DVec3};
-use crate::scene::{Mesh, Shape, Texture};
+use crate::scene::{Mesh, MeshBuilder, Shape, Texture};
 use crate::syntax::Keyword as K;
 use crate::syntax::TokenKind;
-use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// Below this in every component a normal counts as zero, as in POV-Ray.
 const POV_ZERO_NORMAL: f64 = 1e-10;
 
-/// A mesh under construction: equal points, normals and textures are stored once.
-#[derive(Default)]
-struct MeshBuilder {
-    mesh: Mesh,
-    points: FxHashMap<[u32; 3], u32>,
-    normals: FxHashMap<[u32; 3], u32>,
-    uvs: FxHashMap<[u64; 2], u32>,
-    textures: FxHashMap<usize, u32>,
-    any_normal: bool,
-    any_uv: bool,
-    any_texture: bool,
-}
-
-impl MeshBuilder {
-    fn point(&mut self, p: DVec3) -> u32 {
-        let p = p.as_vec3().to_array();
-        let next = self.mesh.vertices.len() as u32;
-        let index = *self.points.entry(p.map(f32::to_bits)).or_insert(next);
-        if index == next {
-            self.mesh.vertices.push(p);
-        }
-        index
-    }
-
-    fn normal(&mut self, n: DVec3) -> u32 {
-        let n = n.as_vec3().to_array();
-        let next = self.mesh.normals.len() as u32;
-        let index = *self.normals.entry(n.map(f32::to_bits)).or_insert(next);
-        if index == next {
-            self.mesh.normals.push(n);
-        }
-        index
-    }
-
-    fn uv(&mut self, uv: DVec2) -> u32 {
-        let next = self.mesh.uvs.len() as u32;
-        let index = *self.uvs.entry(uv.to_array().map(f64::to_bits)).or_insert(next);
-        if index == next {
-            self.mesh.uvs.push(uv);
-        }
-        index
-    }
-
-    fn texture(&mut self, texture: Arc<Texture>) -> u32 {
-        let next = self.mesh.textures.len() as u32;
-        let index = *self.textures.entry(Arc::as_ptr(&texture) as usize).or_insert(next);
-        if index == next {
-            self.mesh.textures.push(texture);
-        }
-        index
-    }
-
-    fn finish(mut self) -> Mesh {
-        if !self.any_uv {
-            self.mesh.uv_indices = Vec::new();
-            self.mesh.uvs = Vec::new();
-        }
-        if !self.any_texture {
-            self.mesh.face_textures = Vec::new();
-        }
-        if !self.any_normal {
-            self.mesh.normal_indices = Vec::new();
-        }
-        self.mesh
-    }
-}
-
-/// Marks a face without normals of its own among faces that have some.
-pub(crate) const FLAT_FACE: [u32; 3] = [u32::MAX; 3];
-
 impl Evaluator<'_> {
     /// Triangles one by one, after `mesh {`.
     pub(super) fn mesh(&mut self, span: Span) -> SourceResult<Shape> {
         let mut builder = MeshBuilder::default();
-        let mut zero_normals = false;
+        let (mut zero_normals, mut inside) = (false, None);
         loop {
             self.comma()?;
             match self.keyword()? {
@@ -112,7 +41,7 @@ impl Evaluator<'_> {
                 }
                 Some(K::InsideVector) => {
                     self.next()?;
-                    builder.mesh.inside_vector = inside_vector(self.vector()?);
+                    inside = inside_vector(self.vector()?);
                 }
                 _ => break,
             }
@@ -120,7 +49,7 @@ impl Evaluator<'_> {
         if zero_normals {
             self.warn(Topic::Geometry, span, "some normals of this mesh are zero and become <1,0,0>");
         }
-        let mesh = builder.finish();
+        let mesh = Mesh { inside_vector: inside, ..builder.finish() };
         if mesh.faces.is_empty() {
             return self.error(span, "a mesh needs at least one triangle that has an area");
         }
@@ -142,40 +71,30 @@ impl Evaluator<'_> {
         }
         if self.accept(K::Texture)? {
             self.open("texture")?;
-            let texture = self.mesh_texture(builder)?;
+            let texture = self.mesh_texture()?;
             self.close("texture")?;
-            textures = Some([texture; 3]);
+            textures = Some([texture.clone(), texture.clone(), texture]);
         } else if self.accept(K::TextureList)? {
             self.open("texture_list")?;
-            let mut three = [0; 3];
-            for slot in &mut three {
-                *slot = self.mesh_texture(builder)?;
+            let mut next = || {
+                let texture = self.mesh_texture()?;
                 self.comma()?;
-            }
+                Ok::<_, Vec<crate::diag::Diagnostic>>(texture)
+            };
+            let three = [next()?, next()?, next()?];
             self.close("texture_list")?;
             textures = Some(three);
         }
         self.close("triangle")?;
-        if (v[1] - v[0]).cross(v[2] - v[0]) == DVec3::ZERO {
-            return Ok(()); // dropped silently, as in POV-Ray
-        }
-        let face = v.map(|p| builder.point(p));
-        builder.mesh.faces.push(face);
-        builder.any_normal |= normals.is_some();
-        let normal_indices = normals.map_or(FLAT_FACE, |n| n.map(|n| builder.normal(n)));
-        builder.mesh.normal_indices.push(normal_indices);
-        builder.any_uv |= uvs.is_some();
-        let uv_indices = uvs.unwrap_or_default().map(|uv| builder.uv(uv));
-        builder.mesh.uv_indices.push(uv_indices);
-        builder.any_texture |= textures.is_some();
-        builder.mesh.face_textures.push(textures);
+        let single = |n: [DVec3; 3]| n.map(|n| n.as_vec3().to_array());
+        builder.face(v, normals.map(single), uvs, textures);
         Ok(())
     }
 
-    fn mesh_texture(&mut self, builder: &mut MeshBuilder) -> SourceResult<u32> {
+    fn mesh_texture(&mut self) -> SourceResult<Arc<Texture>> {
         let pick = |v: &Value| if let Value::Texture(t) = v { Some(t.clone()) } else { None };
         match self.take_declared(pick)? {
-            Some(texture) => Ok(builder.texture(texture)),
+            Some(texture) => Ok(texture),
             None => self.expected("the identifier of a declared texture"),
         }
     }

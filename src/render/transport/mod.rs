@@ -8,8 +8,10 @@ mod dispersion;
 mod irradiance;
 mod secondary;
 mod surface;
+mod told;
 
 pub(super) use air::escaped;
+pub(super) use told::{Story, told};
 
 use super::environment;
 use super::film::{Gather, Term};

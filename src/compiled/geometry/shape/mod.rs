@@ -150,6 +150,13 @@ macro_rules! shapes {
         #[derive(Clone, Debug)]
         pub(crate) enum Shape { $($name($type),)* }
 
+        impl Shape {
+            /// What it is called.
+            pub(crate) fn name(&self) -> &'static str {
+                match self { $(Self::$name(_) => stringify!($name),)* }
+            }
+        }
+
         impl Primitive for Shape {
             fn bounds(&self) -> Bounds {
                 match self { $(Self::$name(s) => s.bounds(),)* }

@@ -1,0 +1,8 @@
+// whitted: expanded scene, format 1
+#version 3.70;
+camera { perspective location <0, 0, -3> direction <0, 0, 1> up <0, 1, 0> right <1.33, 0, 0> }
+mesh2 {
+  vertex_vectors { 3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
+  normal_vectors { 1, <0, 0, 1> }
+  face_indices { 1, <0, 1, 2> }
+}
