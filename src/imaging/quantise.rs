@@ -102,7 +102,9 @@ mod tests {
         check(edge, Channels::Rgba, working, &[103, 103, 103, 26]);
         // A colour <1,.5,.2> there.
         check([1.0, 0.217_64, 0.028_99, 1.0], Channels::Grey, Encoding { bits: 16, ..working }, &[40_628]);
-        check([0.5, 0.0, 0.0, 0.1], Channels::GreyAlpha, with(8, Curve::Power(1.0)), &[76, 38]);
+        // Grey of straight colours, which are not cut at 1 before they are weighed.
+        check([0.5, 0.0, 0.0, 0.1], Channels::GreyAlpha, with(8, Curve::Power(1.0)), &[255, 38]);
+        check([1.0, 0.15, 0.1, 0.5], Channels::GreyAlpha, with(16, Curve::Power(1.0)), &[52_002, 32_768]);
         check([f32::NAN, -1.0, f32::INFINITY, 1.0], Channels::Rgb, Encoding::default(), &[0, 0, 255]);
     }
 
