@@ -7,7 +7,6 @@
 //! Two strengths exist: `arithmetic` knows `+ - * /`, signs and components; `full` adds
 //! comparisons, `& |` and `?:`. Which place takes which: language facts, section 5.
 
-use super::cursor::Cursor;
 use super::macros::arguments_in_words;
 use super::{Evaluator, Number, Value};
 use crate::diag::{SourceResult, Span, Topic};
@@ -154,7 +153,7 @@ impl Evaluator<'_> {
             return self.expected(&format!("'{close}' {why_close}"));
         }
         self.take();
-        self.nesting = self.nesting.saturating_sub(1);
+        self.budget.shallower();
         self.parentheses -= 1;
         self.bare = bare;
         Ok(value)
@@ -182,7 +181,7 @@ impl Evaluator<'_> {
         }
         self.take();
         let no = roomy(|| self.full(n))?;
-        self.nesting = self.nesting.saturating_sub(1);
+        self.budget.shallower();
         Ok(if truth(chosen.v[0]) { yes } else { no })
     }
 
@@ -255,10 +254,10 @@ impl Evaluator<'_> {
     fn lone_literal(&mut self) -> SourceResult<Option<Number>> {
         let literal = match self.fill(false)? {
             TokenKind::Number(value) => Number::scalar(value),
-            TokenKind::Vector => Number { n: self.literal.1, v: self.literal.0 },
+            TokenKind::Vector => Number { n: self.feed.literal().1, v: self.feed.literal().0 },
             _ => return Ok(None),
         };
-        if !self.cursors.last().is_some_and(Cursor::ends_expression) {
+        if !self.feed.ends_expression() {
             return Ok(None);
         }
         self.take();
@@ -365,7 +364,7 @@ impl Evaluator<'_> {
             }
             TokenKind::Name(name) => self.identifier(name),
             TokenKind::Vector => {
-                let (v, n) = self.literal;
+                let (v, n) = *self.feed.literal();
                 self.take();
                 Ok(Number { n, v })
             }
@@ -409,7 +408,7 @@ impl Evaluator<'_> {
 
     /// What an identifier gives: a variable, an element, a call of a function or spline.
     fn identifier(&mut self, name: Symbol) -> SourceResult<Number> {
-        let Some(place) = self.scopes.find(name) else {
+        let Some(place) = self.names.find(name) else {
             let span = self.span();
             return self.undeclared(name, span);
         };
@@ -425,7 +424,7 @@ impl Evaluator<'_> {
             Some(value) => match self.called(&value, span)? {
                 Some(number) => Ok(number),
                 None => {
-                    let (kind, word) = (value.kind(), self.names.word(name).clone());
+                    let (kind, word) = (value.kind(), self.names.words.word(name).clone());
                     let message = format!("expected a number or vector, found the {kind} '{word}'");
                     match kind {
                         "string" => self.error_with_hint(span, message, format!("val({word}) makes a number of it")),
@@ -491,21 +490,8 @@ impl Evaluator<'_> {
             TokenKind::Number(_) | TokenKind::Vector => true,
             TokenKind::Punct(c) => matches!(c, '(' | '<' | '+' | '-' | '!'),
             TokenKind::Keyword(keyword) => super::float_functions::starts_expression(keyword),
-            TokenKind::Name(name) => self.names_number(name),
+            TokenKind::Name(name) => self.names.stands_for(name, gives_number),
             _ => false,
-        })
-    }
-
-    /// Whether an identifier stands for a number or something that gives one.
-    pub(super) fn names_number(&self, name: Symbol) -> bool {
-        let gives =
-            |value: &Value| matches!(value, Value::Float(_) | Value::Vector(_) | Value::Function(_) | Value::Spline(_));
-        self.scopes.find(name).is_some_and(|place| {
-            place.with(|value| match value {
-                Some(Value::Array(array)) => array.sample().is_some_and(gives),
-                Some(value) => gives(value),
-                None => false,
-            })
         })
     }
 
@@ -513,4 +499,9 @@ impl Evaluator<'_> {
     pub fn optional_bool(&mut self) -> SourceResult<bool> {
         Ok(!self.starts_expression()? || self.float()? > 0.0)
     }
+}
+
+/// Whether a value is a number or something that gives one.
+pub(super) fn gives_number(value: &Value) -> bool {
+    matches!(value, Value::Float(_) | Value::Vector(_) | Value::Function(_) | Value::Spline(_))
 }

@@ -87,9 +87,9 @@ impl Evaluator<'_> {
         let token = self.next()?;
         match &token.kind {
             TokenKind::Keyword(k @ (K::X | K::Y | K::Z | K::U | K::V)) => Ok(k.word().into()),
-            TokenKind::Name(name) if self.meaning(*name).is_none() => Ok(self.names.word(*name).clone()),
+            TokenKind::Name(name) if self.meaning(*name).is_none() => Ok(self.names.words.word(*name).clone()),
             TokenKind::Name(name) => {
-                let name = self.names.word(*name).clone();
+                let name = self.names.words.word(*name).clone();
                 self.error(token.span, format!("'{name}' is already declared and cannot name a parameter"))
             }
             _ => self.error(token.span, "expected a parameter name"),
@@ -281,7 +281,7 @@ impl Evaluator<'_> {
 
     /// A parameter, another function, or a number captured by value.
     fn function_name(&mut self, body: &mut Body, name: Symbol, span: Span) -> SourceResult<Slot> {
-        let text = self.names.word(name).clone();
+        let text = self.names.words.word(name).clone();
         if let Some(index) = body.find(&text) {
             self.next()?;
             return Ok(body.builder.argument(index));
@@ -315,7 +315,7 @@ impl Evaluator<'_> {
 
     /// What a name stands for.
     fn meaning(&self, name: Symbol) -> Option<Value> {
-        self.scopes.find(name).and_then(Place::get)
+        self.names.find(name).and_then(Place::get)
     }
 
     fn function_keyword(&mut self, body: &mut Body, keyword: K, span: Span) -> SourceResult<Slot> {
@@ -411,7 +411,7 @@ impl Evaluator<'_> {
         self.expect_punct('(', "before the arguments")?;
         let token = self.next()?;
         let name: Rc<str> = match token.kind {
-            TokenKind::Name(name) => self.names.word(name).clone(),
+            TokenKind::Name(name) => self.names.words.word(name).clone(),
             TokenKind::Keyword(k @ (K::X | K::Y | K::Z | K::U | K::V)) => k.word().into(),
             _ => return self.error(token.span, "expected the name of the running index"),
         };
@@ -464,12 +464,12 @@ impl Evaluator<'_> {
                 }
                 _ => None,
             },
-            TokenKind::Name(name) if &**self.names.word(name) == "grey" => {
+            TokenKind::Name(name) if &**self.names.words.word(name) == "grey" => {
                 let weights = [0.297, 0.589, 0.114];
                 let slots = [0, 1, 2].map(|i| component(body, i));
                 return Ok(body.weighted(slots, weights));
             }
-            TokenKind::Name(name) if &**self.names.word(name) == "hf" => {
+            TokenKind::Name(name) if &**self.names.words.word(name) == "hf" => {
                 // Undocumented height field value: 0.996093 (red + green / 255).
                 let (red, green) = (component(body, 0), component(body, 1));
                 return Ok(body.weighted([red, green, green], [0.996093, 0.996093 / 255.0, 0.0]));
