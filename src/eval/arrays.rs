@@ -150,7 +150,7 @@ impl Evaluator<'_> {
     fn element(&mut self) -> SourceResult<Value> {
         match self.fill(true)? {
             TokenKind::Directive(_) => self.expected("an array element (directives cannot stand here)"),
-            TokenKind::Name(name) if matches!(self.names.find(name).and_then(Place::get), Some(Value::Macro(_))) => {
+            TokenKind::Name(name) if matches!(self.names.get(name), Some(Value::Macro(_))) => {
                 self.expected("an array element (a macro call must stand in parentheses here)")
             }
             _ => match self.argument()? {

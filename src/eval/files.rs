@@ -80,7 +80,7 @@ impl Evaluator<'_> {
     /// `#fclose NAME`; a name that is not an open file is ignored.
     pub(super) fn close_file(&mut self) -> SourceResult<()> {
         let (handle, _) = self.new_name()?;
-        if let Some(Value::File(number)) = self.names.find(handle).and_then(Place::get) {
+        if let Some(Value::File(number)) = self.names.get(handle) {
             self.world.close(number);
             self.names.unbind(handle);
         }
@@ -90,7 +90,7 @@ impl Evaluator<'_> {
     /// The open file whose name comes next.
     fn file_handle(&mut self) -> SourceResult<(Symbol, usize)> {
         if let TokenKind::Name(handle) = self.fill(false)?
-            && let Some(Value::File(number)) = self.names.find(handle).and_then(Place::get)
+            && let Some(Value::File(number)) = self.names.get(handle)
         {
             self.take();
             return Ok((handle, number));

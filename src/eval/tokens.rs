@@ -1,7 +1,7 @@
 //! The token interface that block parsers read from.
 
 use super::value::Value;
-use super::{Evaluator, Place};
+use super::Evaluator;
 use crate::diag::{SourceResult, Span};
 use crate::syntax::{Keyword, Token, TokenKind};
 
@@ -168,7 +168,7 @@ impl Evaluator<'_> {
     /// The value of the peeked identifier, without indices, if it is one; not taken.
     pub fn declared(&mut self) -> SourceResult<Option<Value>> {
         match self.fill(false)? {
-            TokenKind::Name(name) => Ok(self.names.find(name).and_then(Place::get)),
+            TokenKind::Name(name) => Ok(self.names.get(name)),
             _ => Ok(None),
         }
     }

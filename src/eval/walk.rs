@@ -7,8 +7,9 @@ use super::vector_functions::rotated_about;
 use super::{Evaluator, Number, Place, Value};
 use crate::diag::{SourceResult, Span};
 use crate::math::{DVec3, Transform};
-use crate::syntax::formula::{Demand, Formula, List, MAX_STACK, Node, NodeId, OperandId, Operator};
 use crate::syntax::Keyword;
+use crate::syntax::expression::Operator;
+use crate::syntax::formula::{Demand, Formula, List, MAX_STACK, Node, NodeId, OperandId};
 use smallvec::SmallVec;
 
 /// A formula on its way to a value.
@@ -337,7 +338,7 @@ impl Operator {
 
     /// The result for any widths.
     #[inline]
-    fn combine(self, a: Number, b: Number) -> Number {
+    pub(super) fn combine(self, a: Number, b: Number) -> Number {
         match self {
             Self::Add => a.zip_all(b, |a, b| a + b),
             Self::Subtract => a.zip_all(b, |a, b| a - b),

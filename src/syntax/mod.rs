@@ -20,6 +20,7 @@
 
 mod directive;
 mod dump;
+pub mod expression;
 pub mod formula;
 mod keyword;
 mod lexer;

@@ -161,6 +161,11 @@ impl Names {
         self.find(name)?.with(|value| value.and_then(Value::number))
     }
 
+    /// The value of that name; an element that is not set has none.
+    pub(super) fn get(&self, name: Symbol) -> Option<Value> {
+        self.find(name).and_then(Place::get)
+    }
+
     /// The function of that name.
     pub(super) fn function(&self, name: Symbol) -> Option<Arc<Function>> {
         self.find(name)?.with(|value| match value {
