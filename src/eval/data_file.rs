@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn data_are_numbers_vectors_and_strings() {
-        let expected = vec![vec![1.0], vec![-2.5], vec![1.0, -2.0, 3.0], vec![20.0, 23.0], vec![4.0]];
+        let expected = vec![vec![1.0], vec![-2.5], vec![1.0, -2.0, 3.0], vec![21.0, 24.0], vec![4.0]];
         assert_eq!(read("1, --+-2.5, <1,-2,3>,\"a\", 4"), (expected, None));
         assert_eq!(read("<1, 2>, <3, 4>"), (vec![vec![1.0, 2.0], vec![3.0, 4.0]], None));
     }
