@@ -52,7 +52,7 @@ const PRELUDE: &str = "#macro F(e) #debug concat(str(e,0,6), \" \") #end #macro 
 /// The value of a declaration `#declare R = expression;`, by its numbers.
 fn declared(expression: &str) -> Result<Value, String> {
     let text = format!("#version 3.7;\n#declare R = {expression};");
-    let (host, options) = (Memory::default(), Options::default());
+    let (host, options) = (Memory::new([("main.pov", text.as_str())]), Options::default());
     let mut evaluator = Evaluator::new(&options, &host, &NoQueries);
     evaluator.read_scene("main.pov".as_ref(), text.into_bytes()).map_err(|e| e[0].message.clone())?;
     let name = evaluator.names.words.intern("R");
