@@ -1,10 +1,11 @@
 //! Hints for the mistakes that people make.
 
+use super::Value;
 use super::colors::is_color_word;
 use super::float_functions::starts_expression;
+use super::names::Names;
 use super::standard_includes::{advice_on_texture, declared_in};
-use super::{Evaluator, Value};
-use crate::diag::{Span, completed, nearest};
+use crate::diag::{SourceMap, Span, completed, nearest};
 use crate::syntax::{Directive, Keyword, Keyword as K, Symbol, Token, TokenKind};
 
 /// What was found instead of what was expected.
@@ -18,81 +19,81 @@ enum Found<'a> {
     Other,
 }
 
-impl Evaluator<'_> {
-    /// What may help when `expected` was expected and `token` was found.
-    pub(super) fn advice(&self, expected: &str, token: &Token) -> Option<String> {
-        let found = match token.kind {
-            TokenKind::Name(name) => match self.scopes.find(name).and_then(|p| p.with(|v| v.map(Value::kind))) {
-                Some(kind) => Found::Value(kind, self.names.word(name)),
-                None if self.sources.bytes(token.span).starts_with(b"#") => {
-                    let words = Keyword::ALL.iter().filter(|k| Directive::from_keyword(**k).is_some());
-                    let near = nearest(self.names.word(name), words.map(|k| k.word()));
-                    return Some(match near {
-                        Some(near) => format!("did you mean '#{near}'?"),
-                        None => "'#' begins a directive such as #declare; a comment begins with //".to_owned(),
-                    });
-                }
-                None => return self.near_name(name, token.span, false),
-            },
-            TokenKind::Keyword(keyword) => Found::Keyword(keyword),
-            TokenKind::Punct(c) | TokenKind::OrEqual(c) => Found::Sign(c),
-            TokenKind::Number(_) => Found::Number,
-            TokenKind::String => Found::String,
-            _ => Found::Other,
-        };
-        let closing = expected.strip_prefix("'}' to close ");
-        match closing {
-            Some(block) => in_block(block, &found),
-            None => elsewhere(expected, &found),
-        }
+/// What may help when `expected` was expected and `token` was found.
+pub(super) fn advice(expected: &str, token: &Token, names: &Names, sources: &SourceMap) -> Option<String> {
+    let found = match token.kind {
+        TokenKind::Name(name) => match names.find(name).and_then(|p| p.with(|v| v.map(Value::kind))) {
+            Some(kind) => Found::Value(kind, names.words.word(name)),
+            None if sources.bytes(token.span).starts_with(b"#") => {
+                let words = Keyword::ALL.iter().filter(|k| Directive::from_keyword(**k).is_some());
+                let near = nearest(names.words.word(name), words.map(|k| k.word()));
+                return Some(match near {
+                    Some(near) => format!("did you mean '#{near}'?"),
+                    None => "'#' begins a directive such as #declare; a comment begins with //".to_owned(),
+                });
+            }
+            None => return near_name(name, token.span, false, names, sources),
+        },
+        TokenKind::Keyword(keyword) => Found::Keyword(keyword),
+        TokenKind::Punct(c) | TokenKind::OrEqual(c) => Found::Sign(c),
+        TokenKind::Number(_) => Found::Number,
+        TokenKind::String => Found::String,
+        _ => Found::Other,
+    };
+    let closing = expected.strip_prefix("'}' to close ");
+    match closing {
+        Some(block) => in_block(block, &found),
+        None => elsewhere(expected, &found),
     }
 }
 
-/// Names and words that may be meant by one that is not declared.
-impl Evaluator<'_> {
-    /// Where a name comes from, or "did you mean …?"; `in_value` where a number, a string or a declared thing was wanted.
-    pub(super) fn near_name(&self, name: Symbol, span: Span, in_value: bool) -> Option<String> {
-        let word = &**self.names.word(name);
-        let meant = |near: &str| format!("did you mean '{near}'?");
-        let declared = || self.scopes.names().map(|s| &**self.names.word(s));
-        if let Some(same) = declared().find(|known| known.eq_ignore_ascii_case(word)) {
-            return Some(meant(same));
-        }
-        let next = self.next_byte(span);
-        let lower = word.to_ascii_lowercase();
-        let same_word = Keyword::from_word(&lower).filter(|_| lower != word);
-        let lower_case = |k: Keyword| format!("{} The words of the language are in lower case", meant(k.word()));
-        if let Some(object) = same_word.filter(|k| starts_object(*k) && next == Some(b'{')) {
-            return Some(lower_case(object));
-        }
-        if let Some(file) = declared_in(word) {
-            return Some(format!("it is declared in a standard file: #include \"{file}\""));
-        }
-        if let Some(advice) = advice_on_texture(word) {
-            return Some(advice);
-        }
-        let fits = |keyword: &Keyword| !in_value || fits_in_value(*keyword, next);
-        if let Some(keyword) = same_word.filter(fits) {
-            return Some(lower_case(keyword));
-        }
-        if word == "return" {
-            return Some("a macro ends with its value, without a word before it".to_owned());
-        }
-        let words = Keyword::ALL.iter().filter(|k| fits(k)).map(|k| k.word());
-        let near =
-            nearest(word, declared()).or_else(|| completed(word, words.clone())).or_else(|| nearest(word, words));
-        match near {
-            None if in_value && next != Some(b'{') => Some(format!("declare it before: #declare {word} = …;")),
-            near => near.map(meant),
-        }
+/// Where a name comes from, or "did you mean …?"; `in_value` where a number, a string or a declared thing was wanted.
+pub(super) fn near_name(
+    name: Symbol,
+    span: Span,
+    in_value: bool,
+    names: &Names,
+    sources: &SourceMap,
+) -> Option<String> {
+    let word = &**names.words.word(name);
+    let meant = |near: &str| format!("did you mean '{near}'?");
+    let declared = || names.declared().map(|s| &**names.words.word(s));
+    if let Some(same) = declared().find(|known| known.eq_ignore_ascii_case(word)) {
+        return Some(meant(same));
     }
+    let next = next_byte(span, sources);
+    let lower = word.to_ascii_lowercase();
+    let same_word = Keyword::from_word(&lower).filter(|_| lower != word);
+    let lower_case = |k: Keyword| format!("{} The words of the language are in lower case", meant(k.word()));
+    if let Some(object) = same_word.filter(|k| starts_object(*k) && next == Some(b'{')) {
+        return Some(lower_case(object));
+    }
+    if let Some(file) = declared_in(word) {
+        return Some(format!("it is declared in a standard file: #include \"{file}\""));
+    }
+    if let Some(advice) = advice_on_texture(word) {
+        return Some(advice);
+    }
+    let fits = |keyword: &Keyword| !in_value || fits_in_value(*keyword, next);
+    if let Some(keyword) = same_word.filter(fits) {
+        return Some(lower_case(keyword));
+    }
+    if word == "return" {
+        return Some("a macro ends with its value, without a word before it".to_owned());
+    }
+    let words = Keyword::ALL.iter().filter(|k| fits(k)).map(|k| k.word());
+    let near = nearest(word, declared()).or_else(|| completed(word, words.clone())).or_else(|| nearest(word, words));
+    match near {
+        None if in_value && next != Some(b'{') => Some(format!("declare it before: #declare {word} = …;")),
+        near => near.map(meant),
+    }
+}
 
-    /// The first byte behind a token that is no blank, if it is near.
-    fn next_byte(&self, span: Span) -> Option<u8> {
-        const NEAR: u32 = 80;
-        let byte = |i: u32| self.sources.bytes(Span { start: span.end + i, end: span.end + i + 1, ..span }).first();
-        (0..NEAR).map_while(byte).find(|b| !b.is_ascii_whitespace()).copied()
-    }
+/// The first byte behind a token that is no blank, if it is near.
+fn next_byte(span: Span, sources: &SourceMap) -> Option<u8> {
+    const NEAR: u32 = 80;
+    let byte = |i: u32| sources.bytes(Span { start: span.end + i, end: span.end + i + 1, ..span }).first();
+    (0..NEAR).map_while(byte).find(|b| !b.is_ascii_whitespace()).copied()
 }
 
 /// Whether a word can stand where a value is wanted, with that character behind it.

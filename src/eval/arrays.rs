@@ -37,7 +37,7 @@ impl Evaluator<'_> {
     pub(super) fn place(&mut self) -> SourceResult<Place> {
         let TokenKind::Name(name) = self.fill(false)? else { return self.expected("a declared name") };
         let span = self.span();
-        self.scopes.note_use(name);
+        self.names.note_use(name);
         self.note_use(name);
         self.take();
         match self.place_after(name, span)? {
@@ -48,7 +48,7 @@ impl Evaluator<'_> {
 
     /// What a name, which was just taken, and the indices behind it refer to.
     pub(super) fn place_after(&mut self, name: Symbol, span: Span) -> SourceResult<Option<Place>> {
-        let Some(place) = self.scopes.find(name) else { return Ok(None) };
+        let Some(place) = self.names.find(name) else { return Ok(None) };
         let place = place.clone();
         self.indexed(place, span).map(Some)
     }
@@ -104,10 +104,7 @@ impl Evaluator<'_> {
             }
             total = total.saturating_mul(whole as usize);
             dimensions.push(whole as usize);
-            let limit = self.options.limits.array_elements;
-            if total > limit {
-                return self.limit(span, format!("this array has more than {limit} elements"), "array_elements");
-            }
+            self.within(self.budget.elements(total, "array", "elements"), span)?;
         }
         if dimensions.is_empty() || dimensions.len() > MAX_DIMENSIONS {
             return self.error(span, "an array has one to five dimensions, each in square brackets");
@@ -133,7 +130,7 @@ impl Evaluator<'_> {
                 self.initialise(array, depth + 1)?;
             } else {
                 let value = self.element()?;
-                let span = self.last_span;
+                let span = self.feed.last_span();
                 self.check_element(array.any(), &value, span)?;
                 array.elements.push(Some(value));
             }
@@ -153,7 +150,7 @@ impl Evaluator<'_> {
     fn element(&mut self) -> SourceResult<Value> {
         match self.fill(true)? {
             TokenKind::Directive(_) => self.expected("an array element (directives cannot stand here)"),
-            TokenKind::Name(name) if matches!(self.scopes.find(name).and_then(Place::get), Some(Value::Macro(_))) => {
+            TokenKind::Name(name) if matches!(self.names.get(name), Some(Value::Macro(_))) => {
                 self.expected("an array element (a macro call must stand in parentheses here)")
             }
             _ => match self.argument()? {

@@ -1,10 +1,11 @@
 //! `#if`, `#ifdef`, `#switch` and their branches.
 
+use super::Evaluator;
 use super::directives::{Block, BlockKind};
 use super::expressions::{EPSILON, truth};
-use super::{Evaluator, Role};
+use super::feed::{Role, Unskipped};
 use crate::diag::{SourceResult, Span};
-use crate::syntax::Directive;
+use crate::syntax::{Directive, Token, TokenKind};
 
 impl Evaluator<'_> {
     pub(super) fn run_if(&mut self, span: Span) -> SourceResult<()> {
@@ -27,7 +28,7 @@ impl Evaluator<'_> {
                 Directive::End => return Ok(()),
                 other => {
                     let word = other.word();
-                    return self.error(self.last_span, format!("#{word} inside of an #if"));
+                    return self.error(self.feed.last_span(), format!("#{word} inside of an #if"));
                 }
             }
         }
@@ -104,8 +105,8 @@ impl Evaluator<'_> {
 
     /// Leaves the innermost loop, matched case or macro.
     pub(super) fn run_break(&mut self, span: Span) -> SourceResult<()> {
-        let in_macro = self.cursors.iter().rposition(|c| matches!(c.role, Role::Macro(_)));
-        let floor = in_macro.map_or(0, |i| self.cursors[i].blocks);
+        let below = self.feed.below_macro();
+        let floor = below.map_or(0, |(_, blocks)| blocks);
         while self.open_blocks.len() > floor {
             let Some(block) = self.open_blocks.pop() else { break };
             self.skip_block(block.span)?;
@@ -113,12 +114,64 @@ impl Evaluator<'_> {
                 return Ok(());
             }
         }
-        let Some(depth) = in_macro else {
+        let Some((depth, _)) = below else {
             return self.error(span, "#break outside of a loop, a #switch or a macro");
         };
-        while self.cursors.len() > depth {
+        while self.feed.depth() > depth {
             self.leave_cursor()?;
         }
+        Ok(())
+    }
+
+    /// Goes on below an exhausted cursor.
+    pub(super) fn leave_cursor(&mut self) -> SourceResult<()> {
+        let Some(cursor) = self.feed.innermost() else { return Ok(()) };
+        match cursor.role {
+            Role::Main => {
+                if let Some(open) = self.open_blocks.last() {
+                    let (span, word) = (open.span, open.word());
+                    return self.error(span, format!("the file ends before the #end of this #{word}"));
+                }
+            }
+            Role::Macro(_) => {
+                if let Some(open) = self.open_blocks.get(cursor.blocks) {
+                    let (span, word) = (open.span, open.word());
+                    return self.error(span, format!("the macro ends before the #end of this #{word}"));
+                }
+                self.budget.leave_macro();
+                self.names.pop();
+            }
+            Role::Include => {
+                self.budget.leave_include();
+                self.names.pop();
+            }
+            Role::Data => {}
+        }
+        self.feed.pop();
+        Ok(())
+    }
+
+    /// Skips to the directive that ends the current branch and returns it.
+    pub(super) fn skip_branch(&mut self, opened: Span) -> SourceResult<Directive> {
+        loop {
+            match self.feed.skip_branch(&mut self.names.words) {
+                Ok(directive) => return Ok(directive),
+                Err(Unskipped::Bad(Token { kind: TokenKind::Bad(what), span })) => {
+                    return self.error(span, what.message());
+                }
+                Err(Unskipped::Bad(bad)) => return self.error(bad.span, "malformed text"),
+                Err(Unskipped::Over) => match self.feed.innermost().map(|cursor| cursor.role) {
+                    Some(Role::Include) => self.leave_cursor()?,
+                    Some(_) => return self.error(opened, "there is no #end that belongs to this"),
+                    None => return self.error(opened, "the file ends before the #end that belongs to this"),
+                },
+            }
+        }
+    }
+
+    /// Skips to the `#end` of the current block, past all its further branches.
+    pub(super) fn skip_block(&mut self, opened: Span) -> SourceResult<()> {
+        while self.skip_branch(opened)? != Directive::End {}
         Ok(())
     }
 }

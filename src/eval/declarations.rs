@@ -1,6 +1,6 @@
 //! `#declare`, `#local`, `#undef`, and the values that names and arguments take.
 
-use super::scope::{Scopes, TableId};
+use super::names::{Names, TableId};
 use super::{Evaluator, Number, Place, Value, colors};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::stack::roomy;
@@ -41,9 +41,9 @@ impl Evaluator<'_> {
         let (mut value, needs_semicolon) = roomy(|| self.declared_value())?;
         if let Value::Object(object) = &mut value {
             // The name by which layers know it.
-            Arc::make_mut(object).name = Some(Arc::from(&**self.names.word(name)));
+            Arc::make_mut(object).name = Some(Arc::from(&**self.names.words.word(name)));
         }
-        self.nesting = self.nesting.saturating_sub(1);
+        self.budget.shallower();
         self.semicolon(needs_semicolon)?;
         match target {
             Target::Existing(place) => {
@@ -52,7 +52,7 @@ impl Evaluator<'_> {
                 }
                 self.store(&place, Some(value), span)?;
             }
-            Target::New(table) => self.scopes.bind(table, name, Place::new(value)),
+            Target::New(table) => self.names.bind(table, name, Place::new(value)),
             Target::Nowhere => self.warn_here(
                 Topic::Ignored,
                 span,
@@ -60,8 +60,8 @@ impl Evaluator<'_> {
             ),
         }
         if let Some((once, text)) = deprecated {
-            let text = text.unwrap_or_else(|| format!("'{}' is deprecated", self.names.word(name)).into());
-            self.scopes.deprecated.insert(name, (once, text));
+            let text = text.unwrap_or_else(|| format!("'{}' is deprecated", self.names.words.word(name)).into());
+            self.names.deprecate(name, once, text);
         }
         Ok(())
     }
@@ -103,8 +103,8 @@ impl Evaluator<'_> {
 
     /// Decides where to store before the value is read: a macro may end while that is done.
     fn target(&mut self, name: Symbol, local: bool, span: Span) -> SourceResult<Target> {
-        let table = if local { self.local_table() } else { Scopes::GLOBAL };
-        let found = if local { self.scopes.find_innermost(name) } else { self.scopes.find(name) };
+        let table = if local { self.names.innermost() } else { Names::GLOBAL };
+        let found = if local { self.names.find_innermost(name) } else { self.names.find(name) };
         if let Some(place) = found.cloned() {
             return self.indexed(place, span).map(Target::Existing);
         }
@@ -141,7 +141,7 @@ impl Evaluator<'_> {
             if !needed || self.version < 310 {
                 return Ok(());
             }
-            let span = self.last_span;
+            let span = self.feed.last_span();
             if self.version >= 350 {
                 return self.expected("';' behind the value");
             }
@@ -163,7 +163,7 @@ impl Evaluator<'_> {
             Argument::Alias(place) => match place.get() {
                 Some(value) => value,
                 None => {
-                    let span = self.last_span;
+                    let span = self.feed.last_span();
                     return self.error(span, "this array element was never set");
                 }
             },
@@ -171,7 +171,7 @@ impl Evaluator<'_> {
         let needs_semicolon = value.number().is_some();
         let value = match value {
             Value::Macro(_) | Value::File(_) => {
-                let (span, kind) = (self.last_span, value.kind());
+                let (span, kind) = (self.feed.last_span(), value.kind());
                 return self.error(span, format!("a {kind} cannot be copied"));
             }
             value => value,
@@ -225,7 +225,7 @@ impl Evaluator<'_> {
     /// A value that starts with an identifier: the thing itself, or an expression.
     fn identifier_argument(&mut self, name: Symbol) -> SourceResult<Argument> {
         let span = self.span();
-        if self.scopes.find(name).is_none() {
+        if self.names.find(name).is_none() {
             return self.undeclared(name, span);
         }
         let place = self.place()?;
@@ -263,11 +263,11 @@ impl Evaluator<'_> {
         let (name, span) = self.new_name()?;
         let place = self.place_after(name, span)?;
         match place {
-            Some(place) if !place.path.is_empty() && self.scopes.find(name).is_none_or(|p| p.path != place.path) => {
+            Some(place) if !place.path.is_empty() && self.names.find(name).is_none_or(|p| p.path != place.path) => {
                 self.store(&place, None, span)
             }
             _ => {
-                if !self.scopes.unbind(name) {
+                if !self.names.unbind(name) {
                     self.warn_here(Topic::Ignored, span, "this name is not declared");
                 }
                 Ok(())

@@ -61,12 +61,12 @@ impl Evaluator<'_> {
         if case_wanted && matches!(directive, Directive::Else | Directive::End) {
             return self.error(span, "a #switch needs at least one #case or #range");
         }
-        let in_scene = self.cursors.len() == 1;
+        let in_scene = self.feed.depth() == 1;
         if let Err(errors) = self.dispatch(directive, span) {
             return self.not_opened(directive.opens_block() && in_scene, span, errors);
         }
         self.case_wanted |= case_wanted && !matches!(directive, Directive::Case | Directive::Range);
-        self.nesting = self.nesting.saturating_sub(1);
+        self.budget.shallower();
         self.bare = bare;
         self.parentheses = parentheses;
         Ok(())
@@ -131,7 +131,7 @@ impl Evaluator<'_> {
     /// `#version F`.
     fn set_version(&mut self, span: Span) -> SourceResult<()> {
         if let TokenKind::Name(name) = self.fill(true)?
-            && &**self.names.word(name) == "unofficial"
+            && &**self.names.words.word(name) == "unofficial"
         {
             self.take();
         }
@@ -140,7 +140,7 @@ impl Evaluator<'_> {
         self.semicolon(false)?;
         let hundredths = (value * 100.0).round();
         if hundredths > 370.0 {
-            self.given_up.set(true);
+            self.report.give_up();
             return self.error(span, format!("version {value} is newer than 3.7, the newest that is supported"));
         }
         if !self.version_given && !self.scene.objects.is_empty() {
@@ -167,7 +167,7 @@ impl Evaluator<'_> {
         let text = self.string()?;
         let stream = match directive {
             Directive::Error => {
-                self.given_up.set(true);
+                self.report.give_up();
                 return self.error(span, format!("#error: {}", text.trim_end()));
             }
             Directive::Warning => {
@@ -179,7 +179,7 @@ impl Evaluator<'_> {
             Directive::Render => super::Stream::Render,
             _ => super::Stream::Statistics,
         };
-        self.host.message(stream, &text);
+        self.world.say(stream, &text);
         Ok(())
     }
 }

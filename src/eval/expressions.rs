@@ -7,13 +7,14 @@
 //! Two strengths exist: `arithmetic` knows `+ - * /`, signs and components; `full` adds
 //! comparisons, `& |` and `?:`. Which place takes which: language facts, section 5.
 
-use super::cursor::Cursor;
 use super::macros::arguments_in_words;
 use super::{Evaluator, Number, Value};
-use crate::diag::{SourceResult, Span, Topic};
+use crate::diag::{Diagnostic, SourceResult, Span, Topic};
 use crate::math::{DVec2, DVec3, DVec4};
 use crate::stack::roomy;
-use crate::syntax::formula::Operator;
+use crate::syntax::expression::{
+    Build, Choose, Language, Operands, Operator, Strength, chain, component, expression, go_on,
+};
 use crate::syntax::{Keyword, Symbol, TokenKind};
 use smallvec::SmallVec;
 
@@ -154,92 +155,33 @@ impl Evaluator<'_> {
             return self.expected(&format!("'{close}' {why_close}"));
         }
         self.take();
-        self.nesting = self.nesting.saturating_sub(1);
+        self.budget.shallower();
         self.parentheses -= 1;
         self.bare = bare;
         Ok(value)
     }
 
-    /// Levels 1 to 7: with comparisons, logic and choice.
+    /// With comparisons, logic and choice.
     pub(super) fn full(&mut self, n: u8) -> SourceResult<Number> {
         if let Some(value) = self.formula(true, n)? {
             return Ok(value);
         }
-        self.fill(false)?;
-        let span = self.span();
-        let chosen = self.logic(n)?;
-        if self.fill(self.bare)? != TokenKind::Punct('?') {
-            return Ok(chosen);
-        }
-        self.take();
-        if chosen.n > n {
-            return self.error(span, "the condition before '?' must be a float");
-        }
-        self.deeper()?;
-        let yes = roomy(|| self.full(n))?;
-        if self.fill(self.bare)? != TokenKind::Punct(':') {
-            return self.expected("':' of the choice that '?' began");
-        }
-        self.take();
-        let no = roomy(|| self.full(n))?;
-        self.nesting = self.nesting.saturating_sub(1);
-        Ok(if truth(chosen.v[0]) { yes } else { no })
-    }
-
-    /// Level 6: `&` and `|` bind equally and evaluate both sides.
-    fn logic(&mut self, n: u8) -> SourceResult<Number> {
-        let mut left = self.comparison(n)?;
-        loop {
-            let operator = match self.fill(self.bare)? {
-                TokenKind::Punct('&') => Operator::And,
-                TokenKind::Punct('|') => Operator::Or,
-                _ => return Ok(left),
-            };
-            self.take();
-            let right = self.comparison(n.max(left.n))?;
-            left = left.zip(right, |a, b| operator.apply(a, b));
-        }
-    }
-
-    /// Level 5: comparisons of numbers, from left to right, or one of strings.
-    fn comparison(&mut self, n: u8) -> SourceResult<Number> {
-        if self.starts_string()? {
-            return self.string_comparison().map(|truth| Number::scalar(truth).widened(n));
-        }
-        let mut left = self.arithmetic(n)?;
-        while let Some(relation) = self.relation()? {
-            let right = self.arithmetic(n.max(left.n))?;
-            left = left.zip(right, |a, b| relation.apply(a, b));
-        }
-        Ok(left)
+        expression(self, n)
     }
 
     fn string_comparison(&mut self) -> SourceResult<f64> {
         let left = self.string()?;
-        let Some(relation) = self.relation()? else {
+        let relation = self.operator()?.filter(|operator| operator.operands() == Operands::Ordered);
+        let Some(relation) = relation else {
             return self.expected("a comparison behind the string");
         };
+        self.take();
         let right = self.string()?;
         let order = left.encode_utf16().cmp(right.encode_utf16());
         Ok(relation.apply(f64::from(order as i8), 0.0))
     }
 
-    /// Takes a comparison operator if there is one.
-    fn relation(&mut self) -> SourceResult<Option<Operator>> {
-        let relation = match self.fill(self.bare)? {
-            TokenKind::Punct('<') => Operator::Less,
-            TokenKind::Punct('>') => Operator::Greater,
-            TokenKind::Punct('=') => Operator::Equal,
-            TokenKind::OrEqual('<') => Operator::AtMost,
-            TokenKind::OrEqual('>') => Operator::AtLeast,
-            TokenKind::OrEqual('!') => Operator::Differs,
-            _ => return Ok(None),
-        };
-        self.take();
-        Ok(Some(relation))
-    }
-
-    /// Levels 1 to 4: signs, components, `* / + -`.
+    /// Signs, components, `* / + -`.
     #[inline]
     pub(super) fn arithmetic(&mut self, n: u8) -> SourceResult<Number> {
         if let Some(value) = self.lone_literal()? {
@@ -255,10 +197,10 @@ impl Evaluator<'_> {
     fn lone_literal(&mut self) -> SourceResult<Option<Number>> {
         let literal = match self.fill(false)? {
             TokenKind::Number(value) => Number::scalar(value),
-            TokenKind::Vector => Number { n: self.literal.1, v: self.literal.0 },
+            TokenKind::Vector => Number { n: self.feed.literal().1, v: self.feed.literal().0 },
             _ => return Ok(None),
         };
-        if !self.cursors.last().is_some_and(Cursor::ends_expression) {
+        if !self.feed.ends_expression() {
             return Ok(None);
         }
         self.take();
@@ -267,69 +209,13 @@ impl Evaluator<'_> {
     }
 
     pub(super) fn arithmetic_by_tokens(&mut self, n: u8) -> SourceResult<Number> {
-        let first = self.term(n)?;
-        self.sum_from(first, n)
+        chain(self, Strength::Sum, n)
     }
 
     /// Goes on with an expression whose first operand was already read.
     pub(super) fn arithmetic_from(&mut self, operand: Number, n: u8) -> SourceResult<Number> {
         let operand = self.component(operand)?.widened(n);
-        let first = self.product_from(operand, n)?;
-        self.sum_from(first, n)
-    }
-
-    fn sum_from(&mut self, mut left: Number, n: u8) -> SourceResult<Number> {
-        loop {
-            let plus = match self.fill(self.bare)? {
-                TokenKind::Punct('+') => true,
-                TokenKind::Punct('-') => false,
-                _ => return Ok(left),
-            };
-            if self.operators_need_parentheses() {
-                return Ok(left);
-            }
-            self.take();
-            let right = self.term(n.max(left.n))?;
-            left = if plus { left.zip(right, |a, b| a + b) } else { left.zip(right, |a, b| a - b) };
-        }
-    }
-
-    #[inline]
-    fn term(&mut self, n: u8) -> SourceResult<Number> {
-        let first = self.factor(n)?;
-        self.product_from(first, n)
-    }
-
-    fn product_from(&mut self, mut left: Number, n: u8) -> SourceResult<Number> {
-        loop {
-            let times = match self.fill(self.bare)? {
-                TokenKind::Punct('*') => true,
-                TokenKind::Punct('/') => false,
-                _ => return Ok(left),
-            };
-            if self.operators_need_parentheses() {
-                return Ok(left);
-            }
-            let span = self.span();
-            self.take();
-            let right = self.factor(n.max(left.n))?;
-            left = if times { left.zip(right, |a, b| a * b) } else { self.quotient(left, right, span) };
-        }
-    }
-
-    /// Below version 1.5 even arithmetic stands in parentheses.
-    fn operators_need_parentheses(&self) -> bool {
-        self.version < 150 && self.parentheses == 0
-    }
-
-    /// Division; by an exact zero it gives plus infinity, whatever the numerator.
-    fn quotient(&mut self, left: Number, right: Number, span: Span) -> Number {
-        let quotient = left.zip(right, |a, b| Operator::Divide.apply(a, b));
-        let n = quotient.n;
-        if right.widened(n).has_zero() {
-            self.warn_division(span);
-        }
-        quotient
+        go_on(self, operand, Strength::Sum, Strength::Product, n)
     }
 
     /// A component was divided by an exact zero.
@@ -337,27 +223,8 @@ impl Evaluator<'_> {
         self.warn_here(Topic::Arithmetic, span, "division by zero; the result is taken to be infinite");
     }
 
-    /// An operand with its signs and component, widened.
-    fn factor(&mut self, n: u8) -> SourceResult<Number> {
-        let mut signs = SmallVec::<[u8; 8]>::new();
-        while let TokenKind::Punct(sign @ ('-' | '+' | '!')) = self.fill(false)? {
-            self.take();
-            signs.push(sign as u8);
-        }
-        let operand = self.operand()?;
-        let mut value = self.component(operand)?.widened(n);
-        while let Some(sign) = signs.pop() {
-            value = match sign {
-                b'-' => value.map(|c| -c),
-                b'!' => value.map(|c| f64::from(c.abs() <= EPSILON)),
-                _ => value,
-            };
-        }
-        Ok(value)
-    }
-
     /// A number, identifier, call, literal vector or parenthesis, at its own width.
-    fn operand(&mut self) -> SourceResult<Number> {
+    fn bare_operand(&mut self) -> SourceResult<Number> {
         match self.fill(false)? {
             TokenKind::Number(value) => {
                 self.take();
@@ -365,7 +232,7 @@ impl Evaluator<'_> {
             }
             TokenKind::Name(name) => self.identifier(name),
             TokenKind::Vector => {
-                let (v, n) = self.literal;
+                let (v, n) = *self.feed.literal();
                 self.take();
                 Ok(Number { n, v })
             }
@@ -409,7 +276,7 @@ impl Evaluator<'_> {
 
     /// What an identifier gives: a variable, an element, a call of a function or spline.
     fn identifier(&mut self, name: Symbol) -> SourceResult<Number> {
-        let Some(place) = self.scopes.find(name) else {
+        let Some(place) = self.names.find(name) else {
             let span = self.span();
             return self.undeclared(name, span);
         };
@@ -425,7 +292,7 @@ impl Evaluator<'_> {
             Some(value) => match self.called(&value, span)? {
                 Some(number) => Ok(number),
                 None => {
-                    let (kind, word) = (value.kind(), self.names.word(name).clone());
+                    let (kind, word) = (value.kind(), self.names.words.word(name).clone());
                     let message = format!("expected a number or vector, found the {kind} '{word}'");
                     match kind {
                         "string" => self.error_with_hint(span, message, format!("val({word}) makes a number of it")),
@@ -464,25 +331,20 @@ impl Evaluator<'_> {
         let TokenKind::Keyword(word) = self.fill(self.bare)? else {
             return self.expected("a component such as x or red behind the dot");
         };
-        let index = match word {
-            Keyword::X | Keyword::U | Keyword::Red => 0,
-            Keyword::Y | Keyword::V | Keyword::Green => 1,
-            Keyword::Z | Keyword::Blue => 2,
-            Keyword::T | Keyword::Filter => 3,
-            Keyword::Transmit => 4,
-            Keyword::Gray => {
-                self.take();
-                let c = value.widened(3).v;
-                return Ok(Number::scalar(0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2]));
-            }
-            _ => return self.expected("a component such as x or red behind the dot"),
+        if word == Keyword::Gray {
+            self.take();
+            let c = value.widened(3).v;
+            return Ok(Number::scalar(0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2]));
+        }
+        let Some(index) = component(word) else {
+            return self.expected("a component such as x or red behind the dot");
         };
-        if index >= value.n as usize {
+        if index >= value.n {
             let (span, n) = (self.span(), value.n);
             return self.error(span, format!("there is no component '{}' in a value of width {n}", word.word()));
         }
         self.take();
-        Ok(Number::scalar(value.v[index]))
+        Ok(Number::scalar(value.v[usize::from(index)]))
     }
 
     /// Whether the next token can start a float, vector or colour expression without a colour word.
@@ -491,21 +353,8 @@ impl Evaluator<'_> {
             TokenKind::Number(_) | TokenKind::Vector => true,
             TokenKind::Punct(c) => matches!(c, '(' | '<' | '+' | '-' | '!'),
             TokenKind::Keyword(keyword) => super::float_functions::starts_expression(keyword),
-            TokenKind::Name(name) => self.names_number(name),
+            TokenKind::Name(name) => self.names.stands_for(name, gives_number),
             _ => false,
-        })
-    }
-
-    /// Whether an identifier stands for a number or something that gives one.
-    pub(super) fn names_number(&self, name: Symbol) -> bool {
-        let gives =
-            |value: &Value| matches!(value, Value::Float(_) | Value::Vector(_) | Value::Function(_) | Value::Spline(_));
-        self.scopes.find(name).is_some_and(|place| {
-            place.with(|value| match value {
-                Some(Value::Array(array)) => array.sample().is_some_and(gives),
-                Some(value) => gives(value),
-                None => false,
-            })
         })
     }
 
@@ -513,4 +362,105 @@ impl Evaluator<'_> {
     pub fn optional_bool(&mut self) -> SourceResult<bool> {
         Ok(!self.starts_expression()? || self.float()? > 0.0)
     }
+}
+
+impl Build for Evaluator<'_> {
+    type Built = Number;
+    /// The width that is expected.
+    type Place = u8;
+    type Mark = Span;
+    type Stop = Vec<Diagnostic>;
+    const LANGUAGE: Language = Language::Values;
+
+    #[inline]
+    fn operator(&mut self) -> SourceResult<Option<Operator>> {
+        let operator = Operator::of(self.fill(self.bare)?);
+        // Below version 1.5 even arithmetic stands in parentheses.
+        let hidden = |operator: &Operator| {
+            self.version < 150 && self.parentheses == 0 && operator.operands() == Operands::Numbers
+        };
+        Ok(operator.filter(|operator| !hidden(operator)))
+    }
+
+    #[inline]
+    fn take_operator(&mut self) -> Span {
+        let span = self.span();
+        self.take();
+        span
+    }
+
+    /// An operand with its signs and component, widened.
+    fn operand(&mut self, n: u8) -> SourceResult<Number> {
+        let mut signs = SmallVec::<[u8; 8]>::new();
+        while let TokenKind::Punct(sign @ ('-' | '+' | '!')) = self.fill(false)? {
+            self.take();
+            signs.push(sign as u8);
+        }
+        let operand = self.bare_operand()?;
+        let mut value = self.component(operand)?.widened(n);
+        while let Some(sign) = signs.pop() {
+            value = match sign {
+                b'-' => value.map(|c| -c),
+                b'!' => value.map(|c| f64::from(c.abs() <= EPSILON)),
+                _ => value,
+            };
+        }
+        Ok(value)
+    }
+
+    fn comparison(&mut self, n: u8) -> SourceResult<Option<Number>> {
+        if !self.starts_string()? {
+            return Ok(None);
+        }
+        self.string_comparison().map(|truth| Some(Number::scalar(truth).widened(n)))
+    }
+
+    #[inline]
+    fn beside(n: u8, left: &Number) -> u8 {
+        n.max(left.n)
+    }
+
+    #[inline]
+    fn combine(&mut self, operator: Operator, left: Number, right: Number, span: Span) -> SourceResult<Number> {
+        // By an exact zero division gives plus infinity, whatever the numerator.
+        if operator == Operator::Divide && right.widened(left.n).has_zero() {
+            self.warn_division(span);
+        }
+        Ok(operator.combine(left, right))
+    }
+}
+
+impl Choose for Evaluator<'_> {
+    fn start(&mut self) -> SourceResult<Span> {
+        self.fill(false)?;
+        Ok(self.span())
+    }
+
+    fn accept_question(&mut self) -> SourceResult<bool> {
+        let found = self.fill(self.bare)? == TokenKind::Punct('?');
+        if found {
+            self.take();
+        }
+        Ok(found)
+    }
+
+    fn choose(&mut self, condition: Number, start: Span, n: u8) -> SourceResult<Number> {
+        if condition.n > n {
+            return self.error(start, "the condition before '?' must be a float");
+        }
+        self.deeper()?;
+        let yes = roomy(|| self.full(n))?;
+        if self.fill(self.bare)? != TokenKind::Punct(':') {
+            return self.expected("':' of the choice that '?' began");
+        }
+        self.take();
+        let no = roomy(|| self.full(n))?;
+        self.budget.shallower();
+        Ok(if truth(condition.v[0]) { yes } else { no })
+    }
+}
+
+/// Whether a value is a number or something that gives one.
+pub(super) fn gives_number(value: &Value) -> bool {
+    matches!(value, Value::Float(_) | Value::Vector(_) | Value::Function(_) | Value::Spline(_))
 }

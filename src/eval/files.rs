@@ -1,34 +1,13 @@
 //! `#fopen`, `#fclose`, `#read` and `#write`.
 
-use super::cursor::{Cursor, Role};
-use super::scope::Scopes;
-use super::{Evaluator, Kept, Number, Place, Value};
+use super::data_file::{DataFile, Datum, Wrong};
+use super::feed::{Cursor, Role};
+use super::names::Names;
+use super::world::OpenFile;
+use super::{Evaluator, Kept, Place, Value};
 use crate::diag::{SourceResult, Span, Topic};
-use crate::imaging::Encoded;
-use crate::scene::ImageFormat;
-use crate::syntax::{Keyword, Position, Symbol, Token, TokenKind};
-use rustc_hash::FxHashMap;
+use crate::syntax::{Keyword, Position, Symbol, TokenKind, Words};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-
-/// A file that a scene opened.
-#[derive(Debug)]
-pub(super) enum OpenFile {
-    /// For reading.
-    Reading(Box<Cursor>),
-    /// For writing.
-    Writing(PathBuf),
-}
-
-/// Files that were read as a whole, so that each is read once for all statements that name it; what the scene writes
-/// may change them.
-#[derive(Debug, Default)]
-pub(super) struct Binaries {
-    /// By place and type.
-    pub(super) pictures: FxHashMap<(PathBuf, ImageFormat), Arc<Encoded>>,
-    /// By place.
-    pub(super) fonts: FxHashMap<PathBuf, Arc<Vec<u8>>>,
-}
 
 /// How `#write` lays out integers.
 #[derive(Clone, Copy, Debug)]
@@ -42,35 +21,32 @@ impl Evaluator<'_> {
     /// `#fopen NAME S read|write|append`.
     pub(super) fn open_file(&mut self, span: Span) -> SourceResult<()> {
         let (handle, handle_span) = self.new_name()?;
-        if self.scopes.find(handle).is_some() {
+        if self.names.find(handle).is_some() {
             return self.error(handle_span, "this name is already declared; a file needs a new one");
         }
         let name = self.file_name()?;
         let file = if self.accept_word(Keyword::Read)? {
             let (path, text) = self.text_to_read(&name, span)?;
             let source = self.take_in(&path, text)?;
-            OpenFile::Reading(Box::new(Cursor::new(source, (Position::default(), None), Role::Data)))
+            {
+                let cursor = Cursor::new(source, (Position::default(), None), Role::Data);
+                OpenFile::Reading(Box::new(DataFile::new(cursor)))
+            }
         } else {
             let append = self.accept_word(Keyword::Append)?;
             if !append && !self.accept_word(Keyword::Write)? {
                 return self.expected("read, write or append");
             }
             let path = PathBuf::from(&*name);
-            self.binaries = Binaries::default();
-            let opened = if append { self.host.append(&path, &[]) } else { self.host.create(&path) };
-            match opened {
+            match self.world.create(&path, append) {
                 Ok(Kept::OnDisk) => {}
                 Ok(Kept::InMemory) => self.warn_of_memory(&path, span),
                 Err(error) => return self.error(span, format!("cannot write {}: {error}", path.display())),
             }
             OpenFile::Writing(path)
         };
-        let number = self.files.iter().position(Option::is_none).unwrap_or(self.files.len());
-        if number == self.files.len() {
-            self.files.push(None);
-        }
-        self.files[number] = Some(file);
-        self.scopes.bind(Scopes::GLOBAL, handle, Place::new(Value::File(number)));
+        let number = self.world.keep(file);
+        self.names.bind(Names::GLOBAL, handle, Place::new(Value::File(number)));
         Ok(())
     }
 
@@ -104,9 +80,9 @@ impl Evaluator<'_> {
     /// `#fclose NAME`; a name that is not an open file is ignored.
     pub(super) fn close_file(&mut self) -> SourceResult<()> {
         let (handle, _) = self.new_name()?;
-        if let Some(Value::File(number)) = self.scopes.find(handle).and_then(Place::get) {
-            self.files[number] = None;
-            self.scopes.unbind(handle);
+        if let Some(Value::File(number)) = self.names.get(handle) {
+            self.world.close(number);
+            self.names.unbind(handle);
         }
         Ok(())
     }
@@ -114,7 +90,7 @@ impl Evaluator<'_> {
     /// The open file whose name comes next.
     fn file_handle(&mut self) -> SourceResult<(Symbol, usize)> {
         if let TokenKind::Name(handle) = self.fill(false)?
-            && let Some(Value::File(number)) = self.scopes.find(handle).and_then(Place::get)
+            && let Some(Value::File(number)) = self.names.get(handle)
         {
             self.take();
             return Ok((handle, number));
@@ -126,7 +102,7 @@ impl Evaluator<'_> {
     pub(super) fn write_file(&mut self, span: Span) -> SourceResult<()> {
         let bytes = self.arguments(|e| {
             let (_, number) = e.file_handle()?;
-            let Some(Some(OpenFile::Writing(path))) = e.files.get(number) else {
+            let Some(OpenFile::Writing(path)) = e.world.opened(number) else {
                 return e.error(span, "this file is open for reading");
             };
             let path = path.clone();
@@ -152,17 +128,11 @@ impl Evaluator<'_> {
             }
             Ok((path, bytes))
         })?;
-        self.binaries = Binaries::default();
-        match self.host.append(&bytes.0, &bytes.1) {
+        match self.world.append(&bytes.0, &bytes.1) {
             Ok(Kept::OnDisk) => Ok(()),
             Ok(Kept::InMemory) => {
-                self.n_kept += bytes.1.len();
-                // A file is many strings: mesh cameras write a hundred megabytes.
-                let limit = self.options.limits.string_bytes.saturating_mul(16);
-                if self.n_kept > limit {
-                    return self.limit(span, format!("more than {limit} bytes written"), "string_bytes");
-                }
-                Ok(())
+                let written = self.budget.write(bytes.1.len());
+                self.within(written, span)
             }
             Err(error) => self.error(span, format!("cannot write {}: {error}", bytes.0.display())),
         }
@@ -172,7 +142,7 @@ impl Evaluator<'_> {
     pub(super) fn read_file(&mut self, span: Span) -> SourceResult<()> {
         self.arguments(|e| {
             let (handle, number) = e.file_handle()?;
-            if !matches!(e.files.get(number), Some(Some(OpenFile::Reading(_)))) {
+            if !matches!(e.world.opened(number), Some(OpenFile::Reading(_))) {
                 return e.error(span, "this file is open for writing");
             }
             let mut at_end = false;
@@ -186,22 +156,35 @@ impl Evaluator<'_> {
                 if at_end {
                     continue;
                 }
-                match e.datum(number, span)? {
-                    None => {}
-                    Some(value) => match place {
-                        Some(place) => e.store_datum(&place, value, name_span)?,
-                        None => e.scopes.bind(Scopes::GLOBAL, name, Place::new(value)),
-                    },
+                let value = match e.read_from(number, |file, words| file.datum(words, span))? {
+                    None => None,
+                    Some(Datum::Number(number)) => Some(Value::from(number)),
+                    Some(Datum::String(span)) => Some(Value::String(e.decode(span)?)),
+                };
+                match (value, place) {
+                    (None, _) => {}
+                    (Some(value), Some(place)) => e.store_datum(&place, value, name_span)?,
+                    (Some(value), None) => e.names.bind(Names::GLOBAL, name, Place::new(value)),
                 }
                 // The token behind a datum is taken whatever it is.
-                at_end = e.data_token(number)?.is_none();
+                at_end = e.read_from(number, DataFile::token)?.is_none();
             }
             if at_end {
-                e.files[number] = None;
-                e.scopes.unbind(handle);
+                e.world.close(number);
+                e.names.unbind(handle);
             }
             Ok(())
         })
+    }
+
+    /// Reads from an open file of data; a closed one is at its end.
+    fn read_from<T>(
+        &mut self,
+        number: usize,
+        read: impl FnOnce(&mut DataFile, &mut Words) -> Result<Option<T>, Wrong>,
+    ) -> SourceResult<Option<T>> {
+        let Some(OpenFile::Reading(file)) = self.world.opened(number) else { return Ok(None) };
+        read(file, &mut self.names.words).or_else(|(span, message)| self.error(span, message))
     }
 
     fn store_datum(&mut self, place: &Place, value: Value, span: Span) -> SourceResult<()> {
@@ -214,57 +197,6 @@ impl Evaluator<'_> {
                 let kind = other.kind();
                 self.error(span, format!("data cannot be read into a {kind}"))
             }
-        }
-    }
-
-    /// A signed number, a vector of signed numbers or a string; `None` at the end.
-    fn datum(&mut self, number: usize, span: Span) -> SourceResult<Option<Value>> {
-        let Some(token) = self.data_token(number)? else { return Ok(None) };
-        match token.kind {
-            TokenKind::String => Ok(Some(Value::String(self.decode(token.span)?))),
-            TokenKind::Vector => Ok(Some(Value::from(Number { n: self.literal.1, v: self.literal.0 }))),
-            TokenKind::Punct('<') => self.data_vector(number, span).map(Some),
-            _ => self.data_number(number, token, span).map(|f| Some(Value::Float(f))),
-        }
-    }
-
-    fn data_vector(&mut self, number: usize, span: Span) -> SourceResult<Value> {
-        let mut value = Number { n: 0, v: [0.0; 5] };
-        loop {
-            match self.data_token(number)? {
-                Some(Token { kind: TokenKind::Punct('>'), .. }) if value.n > 1 => return Ok(Value::from(value)),
-                Some(Token { kind: TokenKind::Punct(','), .. }) if value.n > 0 => {}
-                Some(token) if value.n < 5 => {
-                    value.v[value.n as usize] = self.data_number(number, token, span)?;
-                    value.n += 1;
-                }
-                Some(token) => return self.error(token.span, "a vector in a data file has two to five numbers"),
-                None => return self.error(span, "the data file ends inside of a vector"),
-            }
-        }
-    }
-
-    fn data_number(&mut self, number: usize, first: Token, span: Span) -> SourceResult<f64> {
-        let (mut token, mut sign) = (first, 1.0);
-        while let TokenKind::Punct(c @ ('-' | '+')) = token.kind {
-            sign = if c == '-' { -sign } else { sign };
-            match self.data_token(number)? {
-                Some(next) => token = next,
-                None => return self.error(span, "the data file ends behind a sign"),
-            }
-        }
-        match token.kind {
-            TokenKind::Number(value) => Ok(sign * value),
-            _ => self.error(token.span, "a data file holds numbers, vectors and strings, separated by commas"),
-        }
-    }
-
-    /// The next token of a data file.
-    fn data_token(&mut self, number: usize) -> SourceResult<Option<Token>> {
-        let Some(Some(OpenFile::Reading(cursor))) = self.files.get_mut(number) else { return Ok(None) };
-        match cursor.step(&mut self.names, &mut self.literal) {
-            Some(Token { kind: TokenKind::Bad(what), span }) => self.error(span, what.message()),
-            token => Ok(token),
         }
     }
 }

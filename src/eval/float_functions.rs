@@ -187,9 +187,7 @@ impl Evaluator<'_> {
             Keyword::Now => self.options.now,
             Keyword::Seed => {
                 let seed = self.one_float()?;
-                if self.random.len() >= self.options.limits.array_elements {
-                    return self.limit(span, "too many random streams".into(), "array_elements");
-                }
+                self.within(self.budget.random_stream(self.random.len()), span)?;
                 self.random.seed(seed)
             }
             Keyword::Rand => {

@@ -3,9 +3,11 @@
 //! Gives the same value, in the same order of evaluation, as reading the tokens does; see
 //! [`crate::syntax::formula`] for when it may be used, and [`super::walk`] for the evaluation.
 
+use super::macro_results::gives_operand;
+use super::names::Names;
 use super::walk::Walk;
 use super::{Evaluator, Number, Place, Value};
-use crate::diag::{SourceResult, Span};
+use crate::diag::SourceResult;
 use crate::syntax::formula::{Demand, Formula, MAX_PLAIN, Node, Operand};
 
 /// Whether, and how, a formula can be walked.
@@ -66,27 +68,19 @@ impl Evaluator<'_> {
     }
 
     fn known_formula(&mut self, full: bool, n: u8, names: bool) -> SourceResult<Option<Number>> {
-        let Some(cursor) = self.cursors.last() else { return Ok(None) };
         if self.version < 150 {
             return Ok(None);
         }
-        let held = usize::from(self.ahead.is_some());
-        let Some((formula, start)) = cursor.formula(self.ahead.as_ref(), full, &self.scopes) else { return Ok(None) };
+        let found = self.feed.formula(full, &|name| self.names.is_macro(name));
+        let Some((formula, start)) = found else { return Ok(None) };
         if formula.open_ended && !self.bare
             || !names && matches!(formula.nodes.last(), Some(Node::Name(_) | Node::Element(..)))
         {
             return Ok(None);
         }
         let Some(value) = self.value_of(&formula, start, n)? else { return Ok(None) };
-        self.skip_tokens(formula.length - held);
-        self.take();
+        self.feed.pass_formula(&formula);
         Ok(Some(value.widened(n)))
-    }
-
-    pub(super) fn skip_tokens(&mut self, n: usize) {
-        if let Some(cursor) = self.cursors.last_mut() {
-            cursor.skip_tokens(n);
-        }
     }
 
     /// What a formula gives in a place of width `n`; its first token is number `start` of the piece.
@@ -99,7 +93,7 @@ impl Evaluator<'_> {
     }
 
     fn number_of(&mut self, formula: &Formula, start: usize, n: u8) -> SourceResult<Option<Known>> {
-        let reading = self.reading(formula);
+        let reading = reading(formula, &self.names, self.budget.macros());
         let walk = Walk { formula, start, floats: &[] };
         Ok(match reading {
             Reading::Float => Some(Known::Float(self.walk_float(&walk, formula.root())?)),
@@ -111,12 +105,12 @@ impl Evaluator<'_> {
     /// The value of a plain formula whose variables are all floats; `None`, and nothing done, for others.
     #[inline]
     fn value_of_floats(&mut self, formula: &Formula, start: usize, n: u8) -> SourceResult<Option<Known>> {
-        if !formula.plain || !self.scopes.deprecated.is_empty() {
+        if !formula.plain || self.names.any_deprecated() {
             return Ok(None);
         }
         let mut floats = [0.0; MAX_PLAIN];
         for (i, operand) in formula.operands.iter().enumerate() {
-            match self.scopes.float(operand.name) {
+            match self.names.float(operand.name) {
                 Some(value) => floats[i] = value,
                 None => return Ok(None),
             }
@@ -130,25 +124,20 @@ impl Evaluator<'_> {
 
     /// Whether all names of a formula stand for what the tree takes them for.
     pub(super) fn is_known(&self, formula: &Formula) -> bool {
-        self.reading(formula) != Reading::Tokens
+        reading(formula, &self.names, self.budget.macros()) != Reading::Tokens
     }
+}
 
-    /// Where a token of the innermost cursor's piece stands.
-    pub(super) fn span_here(&self, token: usize) -> Span {
-        self.cursors.last().map_or(self.last_span, |cursor| cursor.span_of(token))
-    }
-
-    /// Whether all names stand for what the tree takes them for.
-    fn reading(&self, formula: &Formula) -> Reading {
-        let mut reading = if formula.scalar { Reading::Float } else { Reading::Number };
-        let fits = self.scopes.deprecated.is_empty()
-            && formula.operands.iter().all(|operand| match self.scopes.find(operand.name) {
-                Some(place) => fits(place, *operand, &mut reading),
-                None => false,
-            })
-            && formula.calls.iter().all(|call| self.gives_operand(call));
-        if fits { reading } else { Reading::Tokens }
-    }
+/// How a formula can be walked where so many macros are running.
+fn reading(formula: &Formula, names: &Names, n_macros: usize) -> Reading {
+    let mut reading = if formula.scalar { Reading::Float } else { Reading::Number };
+    let fits = !names.any_deprecated()
+        && formula.operands.iter().all(|operand| match names.find(operand.name) {
+            Some(place) => fits(place, *operand, &mut reading),
+            None => false,
+        })
+        && formula.calls.iter().all(|call| gives_operand(call, names, n_macros));
+    if fits { reading } else { Reading::Tokens }
 }
 
 /// Whether a formula takes an operand for what it is; a vector may change how the formula is read.

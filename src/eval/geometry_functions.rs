@@ -22,7 +22,7 @@ impl Evaluator<'_> {
 
     /// `inside(object, point)`.
     pub(super) fn inside(&mut self) -> SourceResult<f64> {
-        let span = self.last_span;
+        let span = self.feed.last_span();
         self.arguments(|e| {
             let object = e.object_argument()?;
             e.comma()?;
@@ -36,7 +36,7 @@ impl Evaluator<'_> {
 
     /// `trace(object, origin, direction [, normal])`.
     pub(super) fn trace(&mut self) -> SourceResult<DVec3> {
-        let span = self.last_span;
+        let span = self.feed.last_span();
         self.arguments(|e| {
             let object = e.object_argument()?;
             e.comma()?;
@@ -93,7 +93,7 @@ impl Evaluator<'_> {
             _ => None,
         })?;
         let Some(pigment) = pigment else { return Ok(None) };
-        let span = self.last_span;
+        let span = self.feed.last_span();
         match self.queries.image_size(&pigment) {
             Some([width, height]) => Ok(Some(DVec3::new(f64::from(width), f64::from(height), 0.0))),
             None => self.error(span, "only a pigment with an image_map has an extent"),

@@ -6,65 +6,34 @@ use super::{Evaluator, Place, Value};
 use crate::diag::{SourceResult, Span};
 use crate::syntax::Position;
 
-/// Turns and calls after which there may be something to say.
-const NOTEWORTHY: u64 = 1 << 20;
-
 impl Evaluator<'_> {
-    /// The place of a token in the innermost cursor's piece.
-    pub(super) fn position_of(&self, index: usize) -> Position {
-        Position { index: index as u32, ..self.here() }
-    }
-
-    /// Where the innermost cursor stands.
-    fn here(&self) -> Position {
-        self.cursors.last().map_or(Position::default(), super::cursor::Cursor::position)
-    }
-
-    /// Goes elsewhere in the innermost file or macro.
-    fn jump(&mut self, to: Position) {
-        if let Some(cursor) = self.cursors.last_mut() {
-            cursor.jump(to, &mut self.names);
-        }
-    }
-
     /// Counts a turn of a loop or a macro call.
     pub(super) fn count_step(&mut self, span: Span) -> SourceResult<()> {
-        self.steps += 1;
-        let limit = self.options.limits.steps;
-        if self.steps > limit {
-            return self.limit(span, format!("more than {limit} turns of loops and macro calls"), "steps");
-        }
-        if self.steps.is_multiple_of(NOTEWORTHY) {
-            self.host.progress(&|| self.at_work(span));
+        let step = self.budget.step();
+        if self.within(step, span)? {
+            self.world.progress(&|| self.at_work(span));
         }
         Ok(())
     }
 
     /// What a scene is at that loops or calls macros for long.
     fn at_work(&self, span: Span) -> String {
-        let place = |span: Span| {
-            let name = self.sources.file(span.file).map_or("", |file| &file.name);
-            format!("{name}:{}", self.sources.line_column(span).line)
-        };
+        let place = |span: Span| self.report.place(span);
         let is_loop = |block: &&Block| matches!(block.kind, BlockKind::While { .. } | BlockKind::For(_));
         let loops = self.open_blocks.iter().filter(is_loop).map(|block| block.span);
         let outer = { loops }.find(|outer| *outer != span);
         let within = outer.map_or_else(String::new, |outer| format!(" within the loop at {}", place(outer)));
-        format!("{}: still running{within}, {} turns and calls so far", place(span), self.steps)
+        format!("{}: still running{within}, {} turns and calls so far", place(span), self.budget.steps())
     }
 
     /// Counts an object.
     pub(super) fn count_object(&mut self, span: Span) -> SourceResult<()> {
-        self.n_objects += 1;
-        let limit = self.options.limits.objects;
-        if self.n_objects > limit {
-            return self.limit(span, format!("more than {limit} objects"), "objects");
-        }
-        Ok(())
+        let object = self.budget.object();
+        self.within(object, span)
     }
 
     pub(super) fn run_while(&mut self, span: Span) -> SourceResult<()> {
-        let condition = self.here();
+        let condition = self.feed.position();
         let holds = truth(self.condition()?);
         self.enter_while(holds, condition, span)
     }
@@ -72,7 +41,7 @@ impl Evaluator<'_> {
     /// Runs the body of a loop whose condition was met at that place, or goes past it.
     pub(super) fn enter_while(&mut self, holds: bool, condition: Position, span: Span) -> SourceResult<()> {
         if holds {
-            let cursor = self.cursors.len();
+            let cursor = self.feed.depth();
             self.open_blocks.push(Block { kind: BlockKind::While { cursor, condition }, span });
             Ok(())
         } else {
@@ -82,9 +51,8 @@ impl Evaluator<'_> {
 
     /// Whether the condition holds, where the `#while` before it was jumped to again.
     fn condition_again(&mut self) -> SourceResult<bool> {
-        let known = self.cursors.last().and_then(|cursor| cursor.statement(1, &self.scopes));
+        let known = self.feed.statement(1, &|name| self.names.is_macro(name));
         if let Some((statement, start)) = known
-            && self.ahead.is_none()
             && self.version >= 350
             && let Some(holds) = self.condition_of(&statement, start)?
         {
@@ -107,18 +75,18 @@ impl Evaluator<'_> {
         if !truth(step) {
             return self.error(span, "the step of a #for loop must not be zero");
         }
-        let variable = match self.scopes.find_innermost(name).cloned() {
+        let variable = match self.names.find_innermost(name).cloned() {
             Some(place) => {
                 self.store(&place, Some(Value::Float(from)), span)?;
                 place
             }
             None => {
                 let place = Place::new(Value::Float(from));
-                self.scopes.bind(self.local_table(), name, place.clone());
+                self.names.bind(self.names.innermost(), name, place.clone());
                 place
             }
         };
-        let running = ForLoop { cursor: self.cursors.len(), body: self.here(), variable, end: to, step };
+        let running = ForLoop { cursor: self.feed.depth(), body: self.feed.position(), variable, end: to, step };
         if !running.goes_on(from) {
             return self.skip_block(span);
         }
@@ -128,20 +96,20 @@ impl Evaluator<'_> {
 
     /// `#end`: leaves a branch, or goes back to the start of a loop.
     pub(super) fn run_end(&mut self, span: Span) -> SourceResult<()> {
-        let floor = self.cursors.last().map_or(0, |c| if c.is_macro() { c.blocks } else { 0 });
+        let floor = self.feed.innermost().map_or(0, |c| if c.is_macro() { c.blocks } else { 0 });
         if self.open_blocks.len() <= floor {
             return self.mismatched(span, "#end without anything to end");
         }
-        let depth = self.cursors.len();
+        let depth = self.feed.depth();
         match self.open_blocks.last().map(|block| (&block.kind, block.span)) {
             Some((BlockKind::While { cursor, condition }, opened)) => {
                 let (started_in, condition) = (*cursor, *condition);
                 self.check_same_file(started_in == depth, opened)?;
                 self.count_step(opened)?;
-                let after = self.here();
-                self.jump(condition);
+                let after = self.feed.position();
+                self.feed.jump(condition, &mut self.names.words);
                 if !self.condition_again()? {
-                    self.jump(after);
+                    self.feed.jump(after, &mut self.names.words);
                     self.open_blocks.pop();
                 }
                 Ok(())
@@ -160,7 +128,7 @@ impl Evaluator<'_> {
                 let (body, goes_on) = (running.body, running.goes_on(next));
                 if goes_on {
                     self.count_step(opened)?;
-                    self.jump(body);
+                    self.feed.jump(body, &mut self.names.words);
                 } else {
                     self.open_blocks.pop();
                 }

@@ -5,8 +5,8 @@
 //! and one expression ([`crate::syntax::formula::MacroResult`]) is the exception that nearly all
 //! macros in expressions are: its body runs as always, its expression gives the operand.
 
-use super::cursor::Cursor;
 use super::macros::Arguments;
+use super::names::Names;
 use super::walk::Walk;
 use super::{Evaluator, Macro, Number, Value};
 use crate::diag::SourceResult;
@@ -17,17 +17,17 @@ use std::rc::Rc;
 /// Calls inside one another beyond which tokens are read, which takes none of the stack.
 const MAX_DEPTH: usize = 200;
 
-impl Evaluator<'_> {
-    /// Whether a call can be an operand: the macro gives a number whatever stands around it.
-    pub(super) fn gives_operand(&self, call: &MacroCall) -> bool {
-        let Some(called) = self.macro_named(call.name) else { return false };
-        let Some(Some(result)) = called.result.get() else { return false };
-        called.parameters.len() == usize::from(call.arguments.n)
-            && self.macro_depth < MAX_DEPTH
-            && (result.closed || call.whole)
-            && (result.numeric || call.numeric || !call.whole)
-    }
+/// Whether a call can be an operand where so many macros are running: the macro gives a number whatever stands around it.
+pub(super) fn gives_operand(call: &MacroCall, names: &Names, n_macros: usize) -> bool {
+    let Some(called) = names.macro_named(call.name) else { return false };
+    let Some(Some(result)) = called.result.get() else { return false };
+    called.parameters.len() == usize::from(call.arguments.n)
+        && n_macros < MAX_DEPTH
+        && (result.closed || call.whole)
+        && (result.numeric || call.numeric || !call.whole)
+}
 
+impl Evaluator<'_> {
     /// Calls a macro for its result in a place of width `n`.
     pub(super) fn walk_macro(&mut self, walk: &Walk<'_>, call: &MacroCall, n: u8) -> SourceResult<Number> {
         let span = self.token_span(walk, call.token);
@@ -37,7 +37,7 @@ impl Evaluator<'_> {
             arguments.push(match walk.formula.nodes[usize::from(item)] {
                 Node::Name(operand) => {
                     let name = walk.formula.name(operand);
-                    match self.scopes.find(name) {
+                    match self.names.find(name) {
                         Some(place) => place.clone(),
                         None => return self.undeclared(name, span),
                     }
@@ -45,26 +45,23 @@ impl Evaluator<'_> {
                 Node::Element(array, indices, token) => self.walk_place(walk, array, indices, token)?,
                 _ => {
                     let value = Value::from(self.walk(walk, item, 1)?);
-                    self.scopes.place(value)
+                    self.names.place(value)
                 }
             });
         }
-        let Some(called) = self.macro_named(call.name) else { return self.undeclared(call.name, span) };
-        let held = (self.ahead.take(), std::mem::replace(&mut self.ready, false));
+        let Some(called) = self.names.macro_named(call.name) else { return self.undeclared(call.name, span) };
+        let held = self.feed.set_aside();
         self.enter_macro(&called, &mut arguments, span)?;
         let value = self.run_body(&called, n)?;
         self.leave_cursor()?;
-        (self.ahead, self.ready) = held;
+        self.feed.bring_back(held);
         Ok(value)
     }
 
     /// Runs the body that was just entered; its last expression.
     fn run_body(&mut self, called: &Rc<Macro>, n: u8) -> SourceResult<Number> {
-        let depth = self.cursors.len();
-        if let Some(cursor) = self.cursors.last_mut() {
-            cursor.enter(&mut self.names);
-            cursor.fenced = true;
-        }
+        let depth = self.feed.depth();
+        self.feed.fence(&mut self.names.words);
         let Some(Some(result)) = called.result.get() else { return Ok(Number::scalar(f64::NAN)) };
         while let Some(directive) = self.before_result(result)? {
             let TokenKind::Directive(word) = directive.kind else {
@@ -72,7 +69,7 @@ impl Evaluator<'_> {
             };
             self.run_directive(word, directive.span)?;
         }
-        debug_assert_eq!(self.cursors.len(), depth);
+        debug_assert_eq!(self.feed.depth(), depth);
         match self.value_of(&result.formula, result.start, n)? {
             Some(value) => {
                 self.take();
@@ -85,11 +82,10 @@ impl Evaluator<'_> {
     /// Runs directives; the token behind them, taken, if it still stands before the result.
     fn before_result(&mut self, result: &MacroResult) -> SourceResult<Option<Token>> {
         self.run_directives()?;
-        let next = self.cursors.last().map_or(0, Cursor::index) - usize::from(self.ahead.is_some());
-        if next >= result.start {
+        if self.feed.next_index() >= result.start {
             return Ok(None);
         }
-        match self.ahead.take() {
+        match self.feed.release() {
             Some(token) => Ok(Some(token)),
             None => self.fetch().map(Some),
         }

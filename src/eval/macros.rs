@@ -1,8 +1,8 @@
 //! Macros: fragments of text that are read again at each call.
 
-use super::cursor::{Cursor, Role};
 use super::declarations::Argument;
-use super::scope::Scopes;
+use super::feed::{Cursor, Role};
+use super::names::Names;
 use super::{Evaluator, Macro, Place, Value};
 use crate::diag::{SourceResult, Span};
 use crate::stack::roomy;
@@ -31,23 +31,22 @@ impl Evaluator<'_> {
             }
         }
         self.take();
-        let Some(cursor) = self.cursors.last() else { return Ok(()) };
-        let (source, start) = (Rc::clone(&cursor.source), cursor.position());
+        let (source, start) = (self.feed.source().cloned(), self.feed.position());
         self.skip_block(span)?;
-        let Some(cursor) = self.cursors.last() else { return Ok(()) };
-        if !Rc::ptr_eq(&cursor.source, &source) {
+        let source = source.filter(|source| self.feed.source().is_some_and(|now| Rc::ptr_eq(now, source)));
+        let Some(source) = source else {
             return self.error(span, "this macro does not end in the file where it began");
-        }
+        };
         // The position behind the #end is never the first of a piece.
-        let after = cursor.position();
+        let after = self.feed.position();
         let end = Position { index: after.index.saturating_sub(1), ..after };
         let made = Value::Macro(Rc::new(Macro { name, parameters, source, start, end, result: OnceCell::new() }));
-        match self.scopes.find(name).cloned() {
+        match self.names.find(name).cloned() {
             Some(place) if place.with(|v| matches!(v, Some(Value::Macro(_)))) => place.set(Some(made)),
             Some(place) if place.with(|v| matches!(v, Some(Value::Function(_)))) => {
                 return self.error(span, "a function of this name is already declared");
             }
-            _ => self.scopes.bind(Scopes::GLOBAL, name, Place::new(made)),
+            _ => self.names.bind(Names::GLOBAL, name, Place::new(made)),
         }
         Ok(())
     }
@@ -58,7 +57,7 @@ impl Evaluator<'_> {
         let case_wanted = std::mem::take(&mut self.case_wanted);
         self.deeper()?;
         let mut arguments = roomy(|| self.macro_arguments(called, span))?;
-        self.nesting = self.nesting.saturating_sub(1);
+        self.budget.shallower();
         self.bare = bare;
         self.case_wanted = case_wanted;
         self.enter_macro(called, &mut arguments, span)?;
@@ -76,32 +75,29 @@ impl Evaluator<'_> {
         span: Span,
     ) -> SourceResult<()> {
         self.count_step(span)?;
-        self.macro_depth += 1;
-        let limit = self.options.limits.macro_depth;
-        if self.macro_depth > limit {
-            return self.limit(span, format!("more than {limit} macro calls inside one another"), "macro_depth");
-        }
-        self.scopes.push();
-        let table = self.local_table();
+        let entered = self.budget.enter_macro();
+        self.within(entered, span)?;
+        self.names.push();
+        let table = self.names.innermost();
         for (parameter, argument) in called.parameters.iter().zip(arguments.drain(..)) {
-            self.scopes.bind(table, *parameter, argument);
+            self.names.bind(table, *parameter, argument);
         }
         let range = (called.start, Some(called.end));
         let mut cursor = Cursor::new(Rc::clone(&called.source), range, Role::Macro(called.name));
         cursor.blocks = self.open_blocks.len();
         cursor.call = span;
-        self.cursors.push(cursor);
+        self.feed.push(cursor);
         Ok(())
     }
 
     /// Finds out whether the body ends in an expression.
     fn find_result(&mut self, called: &Macro) {
         let (start, end) = (called.start, called.end);
-        let piece = called.source.tokens(start.piece as usize, &mut self.names);
-        let scopes = &self.scopes;
+        let piece = called.source.tokens(start.piece as usize, &mut self.names.words);
+        let names = &self.names;
         let result = piece.filter(|_| start.piece == end.piece).and_then(|piece| {
             let range = start.index as usize..end.index as usize;
-            formula::result_of(&piece.tokens, range, called.source.text(), &|name| scopes.is_macro(name))
+            formula::result_of(&piece.tokens, range, called.source.text(), &|name| names.is_macro(name))
         });
         called.result.get_or_init(|| result);
     }
@@ -109,14 +105,14 @@ impl Evaluator<'_> {
     fn macro_arguments(&mut self, called: &Macro, span: Span) -> SourceResult<Arguments> {
         let wanted = called.parameters.len();
         if self.fill(false)? != TokenKind::Punct('(') {
-            let name = self.names.word(called.name).clone();
+            let name = self.names.words.word(called.name).clone();
             return self.expected(&format!("'(' behind the name of the macro '{name}'"));
         }
         self.take();
         let mut arguments = Arguments::new();
         while arguments.len() < wanted {
             if self.fill(false)? == TokenKind::Punct(')') {
-                let (name, given) = (self.names.word(called.name).clone(), arguments.len());
+                let (name, given) = (self.names.words.word(called.name).clone(), arguments.len());
                 return self
                     .error(span, format!("the macro '{name}' takes {}, not {given}", arguments_in_words(wanted)));
             }
@@ -126,14 +122,14 @@ impl Evaluator<'_> {
                     return self.error(start, "this array element was never set");
                 }
                 Argument::Alias(place) => place,
-                Argument::Value(value) => self.scopes.place(value),
+                Argument::Value(value) => self.names.place(value),
             });
             if self.fill(false)? == TokenKind::Punct(',') {
                 self.take();
             }
         }
         if self.fill(false)? != TokenKind::Punct(')') {
-            let name = self.names.word(called.name).clone();
+            let name = self.names.words.word(called.name).clone();
             return self.expected(&format!("')', for the macro '{name}' takes {}", arguments_in_words(wanted)));
         }
         self.take();

@@ -20,13 +20,15 @@ mod advice;
 mod arguments;
 mod arrays;
 pub mod blocks;
+mod budget;
 mod colors;
 mod conditions;
-mod cursor;
+mod data_file;
 mod declarations;
 mod directives;
 mod disk;
 mod expressions;
+mod feed;
 mod files;
 mod float_functions;
 mod formulas;
@@ -37,11 +39,12 @@ mod loops;
 mod macro_results;
 mod macros;
 mod messages;
+mod names;
 mod options;
 mod printf;
 mod random;
 mod recovery;
-mod scope;
+mod report;
 mod standard_includes;
 mod statements;
 mod strings;
@@ -52,6 +55,7 @@ mod value;
 mod vector_functions;
 mod vector_lists;
 mod walk;
+mod world;
 
 #[cfg(test)]
 mod formula_probes;
@@ -65,16 +69,18 @@ pub use printf::date_time;
 pub use standard_includes::{standard_include, standard_include_names};
 pub use value::{Array, Macro, Number, Value};
 
-use crate::diag::{Diagnostic, FileId, SourceMap, SourceResult, Span, Topic};
+use crate::diag::{Diagnostic, SourceMap, SourceResult, Span, Topic};
 use crate::scene::{Finish, Gamma, GeometryQueries, Scene, Settings};
-use crate::syntax::{Names, Position, Source, Symbol, Text, Token, TokenKind};
-use cursor::{Cursor, Role};
+use crate::syntax::{Position, Source, TokenKind};
+use budget::Budget;
 use directives::Block;
-use files::OpenFile;
-use scope::{Place, Scopes};
+use feed::{Cursor, Feed, Role};
+use names::{Names, Place};
+use report::Report;
 use std::path::Path;
 use std::rc::Rc;
 use std::sync::Arc;
+use world::World;
 
 /// A scene that was read, with what was said about it.
 #[derive(Debug)]
@@ -101,52 +107,34 @@ pub struct Evaluator<'h> {
     pub(super) scene: Scene,
     #[allow(dead_code, reason = "read by the block parsers")]
     pub(super) defaults: blocks::Defaults,
-    pub(super) host: &'h dyn Host,
     pub(super) queries: &'h dyn GeometryQueries,
     pub(super) options: &'h Options,
     /// Language version in hundredths, as `#version` last set it; at the start that of the options, else 370.
     pub(super) version: u32,
     /// Whether a `#version` was met.
     pub(super) version_given: bool,
-    pub(super) names: Names,
-    sources: SourceMap,
-    scopes: Scopes,
-    cursors: Vec<Cursor>,
+    /// What comes next.
+    feed: Feed,
+    /// What names stand for.
+    names: Names,
+    /// What is used up.
+    budget: Budget,
+    /// What is said.
+    report: Report,
+    /// What lies outside.
+    world: World<'h>,
     open_blocks: Vec<Block>,
-    /// The token held back, and whether directives and macros in front of it are done.
-    ahead: Option<Token>,
-    ready: bool,
-    /// Components of the last literal vector that was fetched.
-    literal: ([f64; 5], u8),
-    last_span: Span,
     /// Inside a declared value or an argument, outside any bracket.
     bare: bool,
     /// Parentheses around the current expression (for version 1.0).
     parentheses: usize,
-    nesting: usize,
-    include_depth: usize,
-    macro_depth: usize,
-    steps: u64,
-    n_objects: usize,
     /// A `#switch` that waits for its first `#case`.
     case_wanted: bool,
     random: random::Streams,
-    files: Vec<Option<OpenFile>>,
-    /// Bytes that were written and are kept in memory.
-    n_kept: usize,
-    binaries: files::Binaries,
     /// The finish that was written last.
     last_finish: Option<Arc<Finish>>,
-    warnings: Vec<Diagnostic>,
-    /// Errors behind which reading went on.
-    errors: Vec<Diagnostic>,
-    /// Names that an error kept from being declared.
-    undeclared_by_error: rustc_hash::FxHashSet<Symbol>,
     /// The directive whose block an error kept from being opened.
     unopened: Option<Span>,
-    /// Whether an error leaves nothing to go on with.
-    given_up: std::cell::Cell<bool>,
-    warned: rustc_hash::FxHashSet<(Topic, u64)>,
     /// `utf8` strings, from a byte order mark or `charset`.
     pub(super) utf8: bool,
 }
@@ -193,50 +181,35 @@ impl<'h> Evaluator<'h> {
         Self {
             scene: Scene::default(),
             defaults: blocks::Defaults::default(),
-            host,
             queries,
             options,
             version: options.version.unwrap_or(370),
             version_given: false,
+            feed: Feed::default(),
             names: Names::default(),
-            sources: SourceMap::default(),
-            scopes: Scopes::default(),
-            cursors: Vec::new(),
+            budget: Budget::new(options.limits),
+            report: Report::default(),
+            world: World::new(host, &options.include_dirs),
             open_blocks: Vec::new(),
-            ahead: None,
-            ready: false,
-            literal: ([0.0; 5], 0),
-            last_span: Span::default(),
             bare: false,
             parentheses: 0,
-            nesting: 0,
-            include_depth: 0,
-            macro_depth: 0,
-            steps: 0,
-            n_objects: 0,
             case_wanted: false,
             random: random::Streams::default(),
-            files: Vec::new(),
-            n_kept: 0,
             last_finish: None,
-            binaries: files::Binaries::default(),
-            warnings: Vec::new(),
-            errors: Vec::new(),
-            undeclared_by_error: rustc_hash::FxHashSet::default(),
             unopened: None,
-            given_up: std::cell::Cell::new(false),
-            warned: rustc_hash::FxHashSet::default(),
             utf8: false,
         }
     }
 
     fn run(mut self, path: &Path, text: Vec<u8>) -> Result<Evaluated, Box<Failed>> {
-        match self.read_scene(path, text) {
-            Ok(()) => Ok(Evaluated { scene: self.scene, warnings: self.warnings, sources: self.sources }),
+        let read = self.read_scene(path, text);
+        let (warnings, sources) = self.report.into_warnings();
+        match read {
+            Ok(()) => Ok(Evaluated { scene: self.scene, warnings, sources }),
             Err(mut errors) => {
-                let mut diagnostics = self.warnings;
+                let mut diagnostics = warnings;
                 diagnostics.append(&mut errors);
-                Err(Box::new(Failed { diagnostics, sources: self.sources }))
+                Err(Box::new(Failed { diagnostics, sources }))
             }
         }
     }
@@ -245,12 +218,12 @@ impl<'h> Evaluator<'h> {
         self.utf8 = text.starts_with(b"\xef\xbb\xbf");
         let source = self.take_in(path, text)?;
         self.declare_given(path);
-        self.cursors.push(Cursor::new(source, (Position::default(), None), Role::Main));
+        self.feed.push(Cursor::new(source, (Position::default(), None), Role::Main));
         if let Some(header) = &self.options.header {
             self.open_include(&header.to_string_lossy(), Span::default())?;
         }
         loop {
-            let start = self.statement_start();
+            let start = self.feed.next_position();
             let goes_on = match self.statement() {
                 Ok(goes_on) => goes_on,
                 Err(errors) => self.recover(start, errors),
@@ -259,8 +232,9 @@ impl<'h> Evaluator<'h> {
                 break;
             }
         }
-        if !self.errors.is_empty() {
-            return Err(std::mem::take(&mut self.errors));
+        let errors = self.report.take_errors();
+        if !errors.is_empty() {
+            return Err(errors);
         }
         self.check_radiosity()?;
         self.finish();
@@ -302,22 +276,22 @@ impl<'h> Evaluator<'h> {
         if !self.defaults.gamma_given && version.max(self.options.version.unwrap_or(0)) >= 370 {
             // A version among the options counts here even where the scene goes below it.
             self.scene.settings.gamma = Gamma::implied(370);
-            self.remark(
+            self.report.remark(
                 Topic::Version,
                 "assumed_gamma is not given, so 1.0 is taken; 'global_settings { assumed_gamma 1.0 }' says so",
             );
         }
-        self.scene.unused = self.unused();
+        self.scene.unused = unused::unused(&self.names, self.options.keep);
         if self.scene.objects.is_empty() {
-            self.remark(Topic::Geometry, "there are no objects in this scene");
+            self.report.remark(Topic::Geometry, "there are no objects in this scene");
         }
     }
 
     /// Registers the text of a file.
     fn take_in(&mut self, path: &Path, text: Vec<u8>) -> SourceResult<Rc<Source>> {
         let too_long = u32::try_from(text.len()).is_err();
-        let text = self.host.text(path, Text::new(text));
-        let file: FileId = self.sources.add(path.display().to_string(), Arc::clone(text.bytes()));
+        let text = self.world.text(path, text);
+        let file = self.report.add(path.display().to_string(), text.bytes());
         if too_long {
             return self.error(Span { file, start: 0, end: 0 }, "files above four gigabytes cannot be read");
         }
@@ -333,11 +307,11 @@ impl<'h> Evaluator<'h> {
         floats.push(("image_height", f64::from(o.image_height)));
         floats.extend(o.declarations.iter().map(|(name, value)| (name.as_str(), *value)));
         for (name, value) in floats {
-            let symbol = self.names.intern(name);
-            self.scopes.bind(Scopes::GLOBAL, symbol, Place::new(Value::Float(value)));
+            let symbol = self.names.words.intern(name);
+            self.names.bind(Names::GLOBAL, symbol, Place::new(Value::Float(value)));
         }
-        let symbol = self.names.intern("input_file_name");
+        let symbol = self.names.words.intern("input_file_name");
         let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-        self.scopes.bind(Scopes::GLOBAL, symbol, Place::new(Value::String(name.into())));
+        self.names.bind(Names::GLOBAL, symbol, Place::new(Value::String(name.into())));
     }
 }

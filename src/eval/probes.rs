@@ -55,8 +55,8 @@ fn declared(expression: &str) -> Result<Value, String> {
     let (host, options) = (Memory::new([("main.pov", text.as_str())]), Options::default());
     let mut evaluator = Evaluator::new(&options, &host, &NoQueries);
     evaluator.read_scene("main.pov".as_ref(), text.into_bytes()).map_err(|e| e[0].message.clone())?;
-    let name = evaluator.names.intern("R");
-    evaluator.scopes.find(name).and_then(super::Place::get).ok_or_else(|| "nothing".to_owned())
+    let name = evaluator.names.words.intern("R");
+    evaluator.names.find(name).and_then(super::Place::get).ok_or_else(|| "nothing".to_owned())
 }
 
 /// A declared expression has these components, to the digits that were measured.

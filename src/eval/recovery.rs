@@ -5,16 +5,11 @@
 //! only follow from its absence are not told. Errors that leave nothing to go on with (an include file that is
 //! missing or wrong, a limit, `#error`) end the reading.
 
+use super::Evaluator;
 use super::blocks::is_object_keyword;
-use super::cursor::Cursor;
 use super::directives::BlockKind;
-use super::{Evaluator, Role};
 use crate::diag::Diagnostic;
 use crate::syntax::{Directive, Keyword, Position, Symbol, Token, TokenKind};
-use std::rc::Rc;
-
-/// More errors than this are more than anyone mends at a time.
-const MAX_ERRORS: usize = 10;
 
 /// Where the search for the end of a statement stands.
 #[derive(Default)]
@@ -58,50 +53,28 @@ fn begins_statement(kind: TokenKind) -> bool {
 }
 
 impl Evaluator<'_> {
-    /// Where the next statement of the scene file begins.
-    pub(super) fn statement_start(&self) -> Position {
-        let Some(cursor) = self.cursors.last() else { return Position::default() };
-        let mut start = cursor.position();
-        start.index -= u32::from(self.ahead.is_some() && start.index > 0);
-        start
-    }
-
     /// Notes errors of the statement that began at `start` and goes behind it; false if that is the end.
     pub(super) fn recover(&mut self, start: Position, errors: Vec<Diagnostic>) -> bool {
-        let follows = self.follows(&errors);
-        if !follows {
-            self.errors.extend(errors);
-        }
-        let stop = self.given_up.get() || self.errors.len() >= MAX_ERRORS;
-        if stop || self.cursors.iter().any(|c| matches!(c.role, Role::Include | Role::Data)) {
+        let named = errors.first().and_then(|e| e.span).map(|span| {
+            let text = String::from_utf8_lossy(self.report.sources.bytes(span));
+            self.names.words.intern(text.trim_start_matches(['#', ' ']))
+        });
+        self.report.fail(errors, named);
+        if !self.report.goes_on() || self.feed.in_include() {
             return false;
         }
         self.back_to_the_scene() && self.skip_statement(start)
     }
 
-    /// Whether the errors only follow from one that was told.
-    fn follows(&mut self, errors: &[Diagnostic]) -> bool {
-        let Some(span) = errors.first().and_then(|e| e.span) else { return false };
-        let text = String::from_utf8_lossy(self.sources.bytes(span)).into_owned();
-        let name = self.names.intern(text.trim_start_matches(['#', ' ']));
-        self.undeclared_by_error.contains(&name) || self.errors.iter().any(|e| e.span == Some(span))
-    }
-
     /// Leaves macros and loops; false if the file ends on the way.
     fn back_to_the_scene(&mut self) -> bool {
-        let held = self.ahead.take().is_some() && self.cursors.len() == 1;
-        self.ready = false;
-        (self.bare, self.case_wanted) = (false, false);
-        (self.parentheses, self.nesting, self.macro_depth) = (0, 0, 0);
-        while self.cursors.len() > 1 {
-            let cursor = self.cursors.pop();
-            if cursor.is_some_and(|c| c.is_macro()) {
-                self.scopes.pop();
-            }
+        (self.bare, self.case_wanted, self.parentheses) = (false, false, 0);
+        self.budget.leave_all();
+        for _ in 0..self.feed.leave_all() {
+            self.names.pop();
         }
-        let Some(scene) = self.cursors.last_mut() else { return false };
-        if held {
-            scene.step_back();
+        if self.feed.depth() == 0 {
+            return false;
         }
         if let Some(span) = self.unopened.take()
             && self.skip_block(span).is_err()
@@ -121,11 +94,11 @@ impl Evaluator<'_> {
 
     /// Goes from where an error was found to the end of the statement; false at the end of the file.
     fn skip_statement(&mut self, start: Position) -> bool {
-        let found = self.cursors.last().map_or(start, Cursor::position);
+        let found = self.feed.position();
         let mut search = Search::default();
         self.go_to(start);
-        while self.cursors.last().is_some_and(|c| c.position() < found) {
-            let Some(token) = self.raw() else { return false };
+        while self.feed.position() < found {
+            let Some(token) = self.feed.raw(&mut self.names.words) else { return false };
             search.note(&token, self.is_misspelt(&token));
         }
         let closed = self.skip_to_its_end(&mut search, found == start);
@@ -133,35 +106,28 @@ impl Evaluator<'_> {
             self.go_to(found);
             self.skip_to_line_start()
         };
-        self.undeclared_by_error.extend(search.names);
+        self.report.miss(search.names);
         went_on
     }
 
-    /// The next token of the scene file as it stands.
-    fn raw(&mut self) -> Option<Token> {
-        self.cursors.last_mut()?.step(&mut self.names, &mut self.literal)
-    }
-
     fn is_misspelt(&self, token: &Token) -> bool {
-        matches!(token.kind, TokenKind::Name(_)) && self.sources.bytes(token.span).starts_with(b"#")
+        matches!(token.kind, TokenKind::Name(_)) && self.report.sources.bytes(token.span).starts_with(b"#")
     }
 
     fn go_to(&mut self, position: Position) {
-        if let Some(scene) = self.cursors.last_mut() {
-            scene.jump(position, &mut self.names);
-        }
+        self.feed.jump(position, &mut self.names.words);
     }
 
     /// Goes behind the brace or semicolon that ends a statement, or before the next one.
     fn skip_to_its_end(&mut self, search: &mut Search, mut at_start: bool) -> bool {
         loop {
-            let Some(before) = self.cursors.last().map(Cursor::position) else { return false };
-            let Some(token) = self.raw() else { return false };
+            let before = self.feed.position();
+            let Some(token) = self.feed.raw(&mut self.names.words) else { return false };
             let outside = search.braces == 0 && search.blocks == 0;
             match token.kind {
                 TokenKind::Punct('}') if search.braces <= 1 && search.blocks == 0 => return true,
                 TokenKind::Punct(';') if outside => return true,
-                kind if outside && !at_start && begins_statement(kind) && self.starts_line(&token) => {
+                kind if outside && !at_start && begins_statement(kind) && self.feed.starts_line(&token) => {
                     self.go_to(before);
                     return true;
                 }
@@ -198,20 +164,12 @@ impl Evaluator<'_> {
     /// Goes to the next line that begins like a statement.
     fn skip_to_line_start(&mut self) -> bool {
         loop {
-            let Some(before) = self.cursors.last().map(Cursor::position) else { return false };
-            let Some(token) = self.raw() else { return false };
-            if begins_statement(token.kind) && self.starts_line(&token) {
+            let before = self.feed.position();
+            let Some(token) = self.feed.raw(&mut self.names.words) else { return false };
+            if begins_statement(token.kind) && self.feed.starts_line(&token) {
                 self.go_to(before);
                 return true;
             }
         }
-    }
-
-    fn starts_line(&self, token: &Token) -> bool {
-        let source = self.cursors.last().map(|c| Rc::clone(&c.source));
-        source.is_some_and(|source| match token.span.start.checked_sub(1) {
-            Some(before) => matches!(source.text().get(before as usize), Some(b'\n' | b'\r')),
-            None => true,
-        })
     }
 }

@@ -3,11 +3,10 @@
 //! Each does what its tokens would do (`declarations`, `conditions`, `loops`), or nothing at all if a name in it stands
 //! for what the tree does not expect.
 
-use super::cursor::Cursor;
 use super::expressions::truth;
 use super::formulas::Known;
-use super::scope::Slot;
-use super::{Evaluator, Place, Value};
+use super::names::Slot;
+use super::{Evaluator, Value};
 use crate::diag::SourceResult;
 use crate::syntax::formula::{Action, Part, Scope, Statement};
 use crate::syntax::{Directive, Symbol};
@@ -25,16 +24,13 @@ enum Outcome {
 impl Evaluator<'_> {
     /// Runs the directives that come next in the innermost file or macro.
     pub(super) fn run_directives(&mut self) -> SourceResult<()> {
-        while self.ahead.is_none()
-            && let Some(cursor) = self.cursors.last_mut()
-        {
-            if let Some((statement, start)) = cursor.statement(0, &self.scopes)
+        while self.feed.held().is_none() {
+            if let Some((statement, start)) = self.feed.statement(0, &|name| self.names.is_macro(name))
                 && self.run_statement(&statement, start)? == Outcome::Done
             {
                 continue;
             }
-            let Some((directive, span)) = self.cursors.last_mut().and_then(Cursor::directive) else { break };
-            self.last_span = span;
+            let Some((directive, span)) = self.feed.directive() else { break };
             match directive {
                 Directive::End if !self.case_wanted => self.run_end(span)?,
                 Directive::Else if !self.case_wanted => self.run_else(span)?,
@@ -53,8 +49,8 @@ impl Evaluator<'_> {
             Action::Set(name, scope) => self.set_variable(*name, *scope, statement, start),
             Action::SetElement(name, scope, indices) => self.set_element((*name, *scope), indices, statement, start),
             Action::If | Action::While => {
-                let span = self.span_here(start);
-                let in_scene = self.cursors.len() == 1;
+                let span = self.feed.span_of(start);
+                let in_scene = self.feed.depth() == 1;
                 let condition = match self.condition_of(statement, start) {
                     Ok(Some(condition)) => condition,
                     Ok(None) => return Ok(Outcome::Unread),
@@ -62,7 +58,7 @@ impl Evaluator<'_> {
                 };
                 match statement.action {
                     Action::If => self.choose(condition, span)?,
-                    _ => self.enter_while(condition, self.position_of(start + 1), span)?,
+                    _ => self.enter_while(condition, self.feed.position_of(start + 1), span)?,
                 }
                 Ok(Outcome::Done)
             }
@@ -72,29 +68,17 @@ impl Evaluator<'_> {
     /// Whether the condition of a statement holds; nothing is taken if it has to be read by its tokens.
     pub(super) fn condition_of(&mut self, statement: &Statement, start: usize) -> SourceResult<Option<bool>> {
         let Some(value) = self.part(&statement.value, start)? else { return Ok(None) };
-        self.go_on_at(start + statement.length);
+        self.feed.go_on_at(start + statement.length);
         match value {
             Known::Float(value) => Ok(Some(truth(value))),
-            Known::Number(value) => self.want_float(value, self.span_here(start + 1)).map(|value| Some(truth(value))),
-        }
-    }
-
-    /// Lets that token of the piece come next.
-    fn go_on_at(&mut self, token: usize) {
-        if let Some(cursor) = self.cursors.last_mut() {
-            cursor.go_on_at(token);
+            Known::Number(value) => {
+                self.want_float(value, self.feed.span_of(start + 1)).map(|value| Some(truth(value)))
+            }
         }
     }
 
     fn part(&mut self, part: &Part, start: usize) -> SourceResult<Option<Known>> {
         self.value_of(&part.formula, start + part.offset, 1)
-    }
-
-    fn place_of(&self, name: Symbol, scope: Scope) -> Option<&Place> {
-        match scope {
-            Scope::Any => self.scopes.find(name),
-            Scope::Local => self.scopes.find_innermost(name),
-        }
     }
 
     /// A variable that holds a number already, or is new in the innermost table.
@@ -106,19 +90,19 @@ impl Evaluator<'_> {
         statement: &Statement,
         start: usize,
     ) -> SourceResult<Outcome> {
-        let slot: Option<Slot> = match self.place_of(name, scope) {
+        let slot: Option<Slot> = match self.names.find_in(scope, name) {
             Some(place) if place.holds_number() => Some(Rc::clone(&place.slot)),
             None if scope == Scope::Local => None,
             _ => return Ok(Outcome::Unread),
         };
-        let table = self.local_table();
+        let table = self.names.innermost();
         let Some(value) = self.part(&statement.value, start)? else { return Ok(Outcome::Unread) };
-        self.go_on_at(start + statement.length);
+        self.feed.go_on_at(start + statement.length);
         match slot {
             Some(slot) => value.store(&mut slot.borrow_mut()),
             None => {
-                let place = self.scopes.place(Value::from(value));
-                self.scopes.bind(table, name, place);
+                let place = self.names.place(Value::from(value));
+                self.names.bind(table, name, place);
             }
         }
         Ok(Outcome::Done)
@@ -136,7 +120,7 @@ impl Evaluator<'_> {
             Some(Value::Array(array)) => array.dimensions.len() == indices.len(),
             _ => false,
         };
-        let mut place = match self.place_of(name, scope) {
+        let mut place = match self.names.find_in(scope, name) {
             Some(place) if place.path.is_empty() && place.with(is_array) => place.clone(),
             _ => return Ok(Outcome::Unread),
         };
@@ -146,7 +130,7 @@ impl Evaluator<'_> {
         if !known {
             return Ok(Outcome::Unread);
         }
-        let span = self.span_here(start + 1);
+        let span = self.feed.span_of(start + 1);
         let mut floats = SmallVec::<[f64; 2]>::new();
         for index in indices {
             let Some(index) = self.part(index, start)? else { return Ok(Outcome::Unread) };
@@ -157,7 +141,7 @@ impl Evaluator<'_> {
             Err(message) => return self.error(span, message),
         }
         let Some(value) = self.part(&statement.value, start)? else { return Ok(Outcome::Unread) };
-        self.go_on_at(start + statement.length);
+        self.feed.go_on_at(start + statement.length);
         self.store(&place, Some(Value::from(value)), span)?;
         Ok(Outcome::Done)
     }

@@ -14,12 +14,7 @@ impl Evaluator<'_> {
         Ok(match self.fill(false)? {
             TokenKind::String => true,
             TokenKind::Keyword(word) => is_string_function(word),
-            TokenKind::Name(name) => self.scopes.find(name).is_some_and(|place| {
-                place.with(|value| match value {
-                    Some(Value::Array(array)) => matches!(array.sample(), Some(Value::String(_))),
-                    value => matches!(value, Some(Value::String(_))),
-                })
-            }),
+            TokenKind::Name(name) => self.names.stands_for(name, |value| matches!(value, Value::String(_))),
             _ => false,
         })
     }
@@ -36,10 +31,7 @@ impl Evaluator<'_> {
                 let span = self.span();
                 self.take();
                 let text = self.string_function(word)?;
-                if text.len() > self.options.limits.string_bytes {
-                    let limit = self.options.limits.string_bytes;
-                    return self.limit(span, format!("this string is longer than {limit} bytes"), "string_bytes");
-                }
+                self.within(self.budget.string(text.len()), span)?;
                 Ok(text)
             }
             _ => match self.take_declared(|value| match value {
@@ -59,13 +51,13 @@ impl Evaluator<'_> {
         }
         let span = self.span();
         self.take();
-        let raw = self.sources.bytes(span);
+        let raw = self.report.sources.bytes(span);
         Ok(String::from_utf8_lossy(raw.get(1..raw.len().saturating_sub(1)).unwrap_or(&[])).into())
     }
 
     /// The text of a literal: escapes and the scene's character set.
     pub(super) fn decode(&mut self, span: Span) -> SourceResult<Rc<str>> {
-        let quoted = self.sources.bytes(span);
+        let quoted = self.report.sources.bytes(span);
         let raw = quoted.get(1..quoted.len().saturating_sub(1)).unwrap_or(&[]);
         if raw.is_ascii() && !raw.contains(&b'\\') {
             return Ok(String::from_utf8_lossy(raw).into());
@@ -99,7 +91,7 @@ impl Evaluator<'_> {
     }
 
     fn string_function(&mut self, word: Keyword) -> SourceResult<Rc<str>> {
-        let span = self.last_span;
+        let span = self.feed.last_span();
         self.arguments(|e| match word {
             Keyword::Str => {
                 let value = e.float()?;
@@ -112,7 +104,7 @@ impl Evaluator<'_> {
                 let mut text = e.string()?.to_string();
                 loop {
                     e.comma()?;
-                    if !e.starts_string()? || text.len() > e.options.limits.string_bytes {
+                    if !e.starts_string()? || e.budget.string(text.len()).is_err() {
                         return Ok(text.into());
                     }
                     text.push_str(&e.string()?);
@@ -178,7 +170,7 @@ impl Evaluator<'_> {
                 Keyword::Strlen => text.chars().count() as f64,
                 Keyword::Asc => text.chars().next().map_or(0.0, |c| f64::from(u32::from(c))),
                 Keyword::Val => leading_number(&text),
-                Keyword::FileExists => f64::from(e.has_file(&text)),
+                Keyword::FileExists => f64::from(e.world.has(&text, &e.feed.folders(&e.report.sources))),
                 _ => {
                     e.comma()?;
                     let other = e.string()?;

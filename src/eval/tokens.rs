@@ -1,10 +1,9 @@
 //! The token interface that block parsers read from.
 
-use super::directives::BlockKind;
 use super::value::Value;
-use super::{Evaluator, Place};
+use super::Evaluator;
 use crate::diag::{SourceResult, Span};
-use crate::syntax::{Keyword, Symbol, Token, TokenKind};
+use crate::syntax::{Keyword, Token, TokenKind};
 
 /// All of these run directives and macro calls first and fail with what those fail with.
 #[allow(clippy::missing_errors_doc)]
@@ -15,21 +14,14 @@ impl Evaluator<'_> {
     /// delivered as tokens because the value before them has to be completed first.
     #[inline]
     pub(super) fn fill(&mut self, hold: bool) -> SourceResult<TokenKind> {
-        if self.ready
-            && let Some(token) = &self.ahead
-        {
-            return Ok(token.kind);
+        if let Some(kind) = self.feed.ready() {
+            return Ok(kind);
         }
         // Most tokens need no more than being read.
-        if self.ahead.is_none()
-            && !self.case_wanted
-            && let Some(cursor) = self.cursors.last_mut()
-            && let Some(token) = cursor.plain_step()
+        if !self.case_wanted
+            && let Some(kind) = self.feed.hold_plain()
         {
-            self.last_span = token.span;
-            self.ahead = Some(*token);
-            self.ready = true;
-            return Ok(token.kind);
+            return Ok(kind);
         }
         self.fill_slowly(hold)
     }
@@ -39,78 +31,73 @@ impl Evaluator<'_> {
             if !hold {
                 self.run_directives()?;
             }
-            let token = match self.ahead.take() {
+            let token = match self.feed.release() {
                 Some(token) => token,
                 None => self.fetch()?,
             };
-            self.ready = false;
-            match token.kind {
-                TokenKind::Directive(_) | TokenKind::Name(_) if hold => {}
+            let ready = match token.kind {
+                TokenKind::Directive(_) | TokenKind::Name(_) if hold => false,
                 TokenKind::Directive(directive) => {
                     self.run_directive(directive, token.span)?;
                     continue;
                 }
                 TokenKind::Name(name) => {
-                    if self.scopes.is_macro(name)
-                        && let Some(called) = self.macro_named(name)
+                    if self.names.is_macro(name)
+                        && let Some(called) = self.names.macro_named(name)
                     {
                         self.call_macro(&called, token.span)?;
                         continue;
                     }
-                    self.ready = true;
+                    true
                 }
                 // Without a directive behind it the mark disappears, as in POV-Ray.
                 TokenKind::Punct('#') => continue,
-                _ => self.ready = true,
-            }
+                _ => true,
+            };
+            self.feed.hold(token, ready);
             if self.case_wanted && !hold {
-                return self.no_case(token);
+                return self.expected("#case or #range after #switch");
             }
-            self.ahead = Some(token);
             return Ok(token.kind);
         }
     }
 
-    /// A token stands where a `#switch` wants its first `#case`.
-    fn no_case(&mut self, token: Token) -> SourceResult<TokenKind> {
-        self.ahead = Some(token);
-        debug_assert!(matches!(self.open_blocks.last().map(|b| &b.kind), Some(BlockKind::Switch { .. })));
-        self.expected("#case or #range after #switch")
-    }
-
-    /// The macro of that name.
-    pub(super) fn macro_named(&self, name: Symbol) -> Option<std::rc::Rc<super::Macro>> {
-        let place = self.scopes.find(name)?;
-        match &*place.slot.borrow() {
-            Value::Macro(called) if place.path.is_empty() => Some(std::rc::Rc::clone(called)),
-            _ => None,
+    /// The next token before directives and macros are looked at; files and macros that end are left.
+    #[inline]
+    pub(super) fn fetch(&mut self) -> SourceResult<Token> {
+        loop {
+            if let Some(token) = self.feed.fetch(&mut self.names.words) {
+                return match token.kind {
+                    TokenKind::Bad(what) => self.error(token.span, what.message()),
+                    _ => Ok(token),
+                };
+            }
+            self.leave_cursor()?;
         }
     }
 
     /// Drops the token held back; what was peeked is thereby taken.
     pub(super) fn take(&mut self) {
-        self.ahead = None;
-        self.ready = false;
+        self.feed.release();
     }
 
     /// The next token; directives and macros in front of it have run.
-    pub fn peek(&mut self) -> SourceResult<&Token> {
-        self.fill(false)?;
-        let end = Token { kind: TokenKind::End, span: self.last_span };
-        Ok(self.ahead.get_or_insert(end))
+    pub fn peek(&mut self) -> SourceResult<Token> {
+        let kind = self.fill(false)?;
+        Ok(Token { kind, span: self.feed.span() })
     }
 
     /// Takes the next token.
     #[allow(clippy::should_implement_trait)]
     pub fn next(&mut self) -> SourceResult<Token> {
-        let token = *self.peek()?;
+        let token = self.peek()?;
         self.take();
         Ok(token)
     }
 
     /// Where the peeked token stands.
-    pub fn span(&mut self) -> Span {
-        self.ahead.map_or(self.last_span, |token| token.span)
+    pub fn span(&self) -> Span {
+        self.feed.span()
     }
 
     /// The next token if it is a reserved word.
@@ -168,35 +155,20 @@ impl Evaluator<'_> {
     /// Takes the `}` of a block.
     pub fn close(&mut self, what: &str) -> SourceResult<()> {
         self.expect_punct('}', format_args!("to close {what}"))?;
-        self.nesting = self.nesting.saturating_sub(1);
+        self.budget.shallower();
         Ok(())
     }
 
     /// Counts one more level of nesting.
     pub(super) fn deeper(&mut self) -> SourceResult<()> {
-        self.nesting += 1;
-        if self.nesting > self.options.limits.nesting {
-            let (span, limit) = (self.span(), self.options.limits.nesting);
-            return self.limit(span, format!("more than {limit} levels of braces and parentheses"), "nesting");
-        }
-        Ok(())
-    }
-
-    /// The levels inside something that is complete, if they are not too many; declarations build them without nesting
-    /// any text.
-    #[inline]
-    pub(super) fn nested(&self, depth: u32, span: Span) -> SourceResult<u32> {
-        let limit = self.options.limits.nesting;
-        if depth as usize > limit {
-            return self.limit(span, format!("more than {limit} levels inside one another"), "nesting");
-        }
-        Ok(depth)
+        let deeper = self.budget.deeper();
+        self.within(deeper, self.feed.span())
     }
 
     /// The value of the peeked identifier, without indices, if it is one; not taken.
     pub fn declared(&mut self) -> SourceResult<Option<Value>> {
         match self.fill(false)? {
-            TokenKind::Name(name) => Ok(self.scopes.find(name).and_then(Place::get)),
+            TokenKind::Name(name) => Ok(self.names.get(name)),
             _ => Ok(None),
         }
     }
@@ -204,7 +176,7 @@ impl Evaluator<'_> {
     /// Takes the identifier that comes next, with its indices, if its value fits.
     pub fn take_declared<T>(&mut self, pick: impl Fn(&Value) -> Option<T>) -> SourceResult<Option<T>> {
         let TokenKind::Name(name) = self.fill(false)? else { return Ok(None) };
-        let Some(place) = self.scopes.find(name) else { return Ok(None) };
+        let Some(place) = self.names.find(name) else { return Ok(None) };
         let picked = place.with(|value| match value {
             Some(Value::Array(array)) => {
                 pick(value?).map(Some).or_else(|| array.sample().and_then(&pick).map(|_| None))
@@ -215,7 +187,7 @@ impl Evaluator<'_> {
         match picked {
             None => Ok(None),
             Some(Some(value)) => {
-                self.scopes.note_use(name);
+                self.names.note_use(name);
                 self.note_use(name);
                 self.take();
                 Ok(Some(value))

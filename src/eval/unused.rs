@@ -1,23 +1,22 @@
 //! What was declared and never used: the rest of the program never hears of it.
 
-use super::{Evaluator, Value};
-use crate::omission::Omission;
+use super::Value;
+use super::names::Names;
+use crate::omission::{Keep, Omission};
 use crate::scene::{Declared, Unused};
 use std::sync::Arc;
 
-impl Evaluator<'_> {
-    /// Parts of scenes that stand under names which nothing asked for. Numbers, functions and arrays are none: what became
-    /// of these is nowhere to be seen.
-    pub(super) fn unused(&self) -> Unused {
-        let keeps = self.options.keep.holds(Omission::Declarations);
-        let mut unused = Unused::default();
-        for place in self.scopes.unused() {
-            let Some(declared) = place.with(|value| value.and_then(part_of_scene)) else { continue };
-            unused.count += 1;
-            unused.kept.extend(keeps.then_some(declared));
-        }
-        unused
+/// Parts of scenes that stand under names which nothing asked for. Numbers, functions and arrays are none: what became
+/// of these is nowhere to be seen.
+pub(super) fn unused(names: &Names, keep: Keep) -> Unused {
+    let keeps = keep.holds(Omission::Declarations);
+    let mut unused = Unused::default();
+    for place in names.unused() {
+        let Some(declared) = place.with(|value| value.and_then(part_of_scene)) else { continue };
+        unused.count += 1;
+        unused.kept.extend(keeps.then_some(declared));
     }
+    unused
 }
 
 /// A value as what it would be in a scene.

@@ -47,16 +47,7 @@ impl Evaluator<'_> {
     /// Reads whole literals while more literals follow; the last one of a run stays, since an
     /// operator may come behind it.
     fn literals<T>(&mut self, n: usize, list: &mut Vec<T>, from_literal: &impl Fn([f64; 5], u8) -> T) {
-        // The held back vector goes first, and only if a comma and another one follow it.
-        let Some(cursor) = self.cursors.last_mut() else { return };
-        if !cursor.more_vectors() {
-            return;
-        }
-        let (v, width) = self.literal;
-        list.push(from_literal(v, width));
-        let wanted = n - list.len();
-        cursor.take_vectors(wanted, |v, width| list.push(from_literal(v, width)));
-        self.ahead = None;
-        self.ready = false;
+        let room = n - list.len();
+        self.feed.take_vectors(room, |v, width| list.push(from_literal(v, width)));
     }
 }

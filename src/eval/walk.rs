@@ -2,12 +2,14 @@
 
 use super::expressions::{EPSILON, truth};
 use super::float_functions::{largest, one_argument, selected, smallest, two_arguments, within_bounds};
+use super::names::Names;
 use super::vector_functions::rotated_about;
 use super::{Evaluator, Number, Place, Value};
 use crate::diag::{SourceResult, Span};
 use crate::math::{DVec3, Transform};
-use crate::syntax::formula::{Demand, Formula, List, MAX_STACK, Node, NodeId, OperandId, Operator};
-use crate::syntax::{Keyword, Symbol};
+use crate::syntax::Keyword;
+use crate::syntax::expression::Operator;
+use crate::syntax::formula::{Demand, Formula, List, MAX_STACK, Node, NodeId, OperandId};
 use smallvec::SmallVec;
 
 /// A formula on its way to a value.
@@ -28,6 +30,21 @@ impl Walk<'_> {
             Node::Name(operand) | Node::Component(operand) => self.floats.get(usize::from(operand)).copied(),
             _ => None,
         }
+    }
+
+    /// The value of a name that stands for a number.
+    #[inline]
+    fn number(&self, operand: OperandId, names: &Names) -> Number {
+        names.number(self.formula.name(operand)).unwrap_or(Number::scalar(f64::NAN))
+    }
+
+    /// What is asked of such a name, where that is a float.
+    fn float(&self, operand: OperandId, names: &Names) -> f64 {
+        let index = match self.formula.operands[usize::from(operand)].demand {
+            Demand::Component(index) => index,
+            _ => 0,
+        };
+        self.number(operand, names).v[usize::from(index)]
     }
 
     pub(super) fn item(&self, list: List, i: usize) -> NodeId {
@@ -65,7 +82,7 @@ impl Evaluator<'_> {
                 Node::Constant(value) => value,
                 Node::Name(operand) | Node::Component(operand) => match walk.floats.get(usize::from(operand)) {
                     Some(float) => *float,
-                    None => self.float_named(walk, operand),
+                    None => walk.float(operand, &self.names),
                 },
                 Node::Skip(to) => {
                     at = usize::from(to);
@@ -116,7 +133,9 @@ impl Evaluator<'_> {
     fn float_call(&mut self, walk: &Walk<'_>, node: &Node, arguments: &[f64]) -> SourceResult<f64> {
         match *node {
             Node::Call(word, _, token) => self.built_in_call(walk, word, arguments, token),
-            Node::CallName(name, _) => Ok(self.named_call(name, arguments)),
+            Node::CallName(name, _) => {
+                Ok(self.names.function(name).map_or(f64::NAN, |f| f.call_by(arguments, self.queries)[0]))
+            }
             Node::Element(array, _, token) => Ok(self.element_number(walk, array, arguments, token)?.v[0]),
             _ => Ok(f64::NAN),
         }
@@ -149,14 +168,6 @@ impl Evaluator<'_> {
         }
     }
 
-    fn float_named(&self, walk: &Walk<'_>, operand: OperandId) -> f64 {
-        let index = match walk.formula.operands[usize::from(operand)].demand {
-            Demand::Component(index) => index,
-            _ => 0,
-        };
-        self.number_named(walk, operand).v[usize::from(index)]
-    }
-
     fn built_in_call(&mut self, walk: &Walk<'_>, word: Keyword, arguments: &[f64], token: u16) -> SourceResult<f64> {
         let value = match (word, arguments) {
             (Keyword::Max, _) => Ok(largest(arguments)),
@@ -179,18 +190,8 @@ impl Evaluator<'_> {
         }
     }
 
-    fn named_call(&self, name: Symbol, arguments: &[f64]) -> f64 {
-        let function = self.scopes.find(name).and_then(|place| {
-            place.with(|value| match value {
-                Some(Value::Function(f)) => Some(f.clone()),
-                _ => None,
-            })
-        });
-        function.map_or(f64::NAN, |f| f.call_by(arguments, self.queries)[0])
-    }
-
     fn element_number(&self, walk: &Walk<'_>, array: OperandId, indices: &[f64], token: u16) -> SourceResult<Number> {
-        let place = self.scopes.find(walk.formula.name(array));
+        let place = self.names.find(walk.formula.name(array));
         let found: Result<_, String> = place.map_or(Ok(None), |place| {
             place.with(|value| match value {
                 Some(Value::Array(array)) => {
@@ -212,7 +213,7 @@ impl Evaluator<'_> {
     pub(super) fn walk(&mut self, walk: &Walk<'_>, id: NodeId, n: u8) -> SourceResult<Number> {
         match walk.formula.nodes[usize::from(id)] {
             Node::Constant(value) => Ok(Number::scalar(value).widened(n)),
-            Node::Name(operand) => Ok(self.number_named(walk, operand).widened(n)),
+            Node::Name(operand) => Ok(walk.number(operand, &self.names).widened(n)),
             _ => self.walk_parent(walk, id, n),
         }
     }
@@ -256,11 +257,6 @@ impl Evaluator<'_> {
         Ok(value.widened(n))
     }
 
-    fn number_named(&self, walk: &Walk<'_>, operand: OperandId) -> Number {
-        let place = self.scopes.find(walk.formula.name(operand));
-        place.and_then(|place| place.with(|value| value.and_then(Value::number))).unwrap_or(Number::scalar(f64::NAN))
-    }
-
     /// An argument of a vector function.
     fn walk_vector(&mut self, walk: &Walk<'_>, id: NodeId, token: u16) -> SourceResult<DVec3> {
         let value = self.walk(walk, id, 3)?;
@@ -300,7 +296,7 @@ impl Evaluator<'_> {
         let indices = self.walk_list(walk, indices)?;
         let span = self.token_span(walk, token);
         let name = walk.formula.name(array);
-        let Some(mut place) = self.scopes.find(name).cloned() else { return self.undeclared(name, span) };
+        let Some(mut place) = self.names.find(name).cloned() else { return self.undeclared(name, span) };
         match place.flat_index(&indices) {
             Ok(flat) => place.path.push(flat as u32),
             Err(message) => return self.error(span, message),
@@ -313,7 +309,7 @@ impl Evaluator<'_> {
 
     /// Where a token of the formula stands.
     pub(super) fn token_span(&self, walk: &Walk<'_>, token: u16) -> Span {
-        self.span_here(walk.start + usize::from(token))
+        self.feed.span_of(walk.start + usize::from(token))
     }
 }
 
@@ -342,7 +338,7 @@ impl Operator {
 
     /// The result for any widths.
     #[inline]
-    fn combine(self, a: Number, b: Number) -> Number {
+    pub(super) fn combine(self, a: Number, b: Number) -> Number {
         match self {
             Self::Add => a.zip_all(b, |a, b| a + b),
             Self::Subtract => a.zip_all(b, |a, b| a - b),

@@ -1,6 +1,6 @@
 //! Tokens and directives as text, for people who wonder how a file was read, and for tests.
 
-use super::{Names, Source, Token, TokenKind};
+use super::{Source, Token, TokenKind, Words};
 use crate::diag::SourceMap;
 use std::fmt::Write as _;
 
@@ -44,7 +44,7 @@ pub fn dump_tree(source: &Source, sources: &SourceMap) -> String {
 
 /// Calls with each token of a file in order.
 fn each_token(source: &Source, mut call: impl FnMut(&Token)) {
-    let mut names = Names::default();
+    let mut names = Words::default();
     let mut piece = 0;
     while let Some(tokens) = source.tokens(piece, &mut names) {
         tokens.tokens.iter().for_each(&mut call);

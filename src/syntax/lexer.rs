@@ -6,7 +6,7 @@
 
 use super::numbers::number;
 use super::vectors::{run_end, skip_blanks};
-use super::{Directive, Keyword, Malformed, Names, Token, TokenKind};
+use super::{Directive, Keyword, Malformed, Token, TokenKind, Words};
 use crate::diag::{FileId, Span};
 use pest::Parser as _;
 
@@ -27,7 +27,7 @@ const MAX_COMMENT_DEPTH: usize = 64;
 
 /// Writes the tokens of the piece of `text` that begins at `start` in place of what `tokens` holds; gives back where
 /// the next piece begins, which is between two tokens.
-pub(super) fn tokenise(file: FileId, text: &[u8], start: usize, names: &mut Names, tokens: &mut Vec<Token>) -> usize {
+pub(super) fn tokenise(file: FileId, text: &[u8], start: usize, names: &mut Words, tokens: &mut Vec<Token>) -> usize {
     tokens.clear();
     let span = |start: usize, end: usize| Span { file, start: start as u32, end: end as u32 };
     let end = text.len().min(start + PIECE);
@@ -224,7 +224,7 @@ fn end_of(text: &[u8], mut at: usize, belong: impl Fn(u8) -> bool) -> usize {
 }
 
 /// The token of a matched rule.
-fn kind(rule: Rule, text: &[u8], names: &mut Names) -> Option<TokenKind> {
+fn kind(rule: Rule, text: &[u8], names: &mut Words) -> Option<TokenKind> {
     Some(match rule {
         // An exponent without digits counts as none.
         Rule::number => TokenKind::Number(number(text).map_or(0.0, |(value, _)| value)),
@@ -249,7 +249,7 @@ fn kind(rule: Rule, text: &[u8], names: &mut Names) -> Option<TokenKind> {
     })
 }
 
-fn word(text: &[u8], names: &mut Names) -> TokenKind {
+fn word(text: &[u8], names: &mut Words) -> TokenKind {
     match Keyword::from_bytes(text) {
         Some(keyword) => TokenKind::Keyword(keyword),
         None if text.len() > MAX_LENGTH => TokenKind::Bad(Malformed::LongName),
@@ -263,7 +263,7 @@ mod tests {
     use super::*;
 
     fn check(text: &str, expected: &str) {
-        let mut names = Names::default();
+        let mut names = Words::default();
         let mut tokens = Vec::new();
         tokenise(FileId(0), text.as_bytes(), 0, &mut names, &mut tokens);
         let shown: Vec<String> = tokens
@@ -408,7 +408,7 @@ mod tests {
     fn pieces_end_between_tokens() {
         let turn = "# \n declare \"x # \\\" /* < \n\" /* \" # \n */ // \" <\n <1, 2>,\n <3, 4> a < b ";
         let text = turn.repeat(20 * PIECE / turn.len());
-        let (mut names, mut start, mut n_pieces) = (Names::default(), 0, 0);
+        let (mut names, mut start, mut n_pieces) = (Words::default(), 0, 0);
         let (mut found, mut piece) = (Vec::new(), Vec::new());
         while start < text.len() {
             start = tokenise(FileId(0), text.as_bytes(), start, &mut names, &mut piece);

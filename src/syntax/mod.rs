@@ -20,22 +20,23 @@
 
 mod directive;
 mod dump;
+pub mod expression;
 pub mod formula;
 mod keyword;
 mod lexer;
 mod memo;
-mod names;
 mod numbers;
 mod source;
 mod text;
 mod token;
 pub mod vectors;
+mod words;
 
 pub use directive::Directive;
 pub use dump::{dump_tokens, dump_tree};
 pub use keyword::Keyword;
-pub use names::{Names, Symbol};
 pub(crate) use numbers::number;
 pub use source::{Piece, Position, Source};
 pub use text::Text;
 pub use token::{Malformed, Token, TokenKind};
+pub use words::{Symbol, Words};

@@ -3,7 +3,7 @@
 use super::formula::{self, Formula, Statement};
 use super::lexer::tokenise;
 use super::memo::Memo;
-use super::{Directive, Names, Symbol, Text, Token, TokenKind};
+use super::{Directive, Symbol, Text, Token, TokenKind, Words};
 use crate::diag::FileId;
 use rustc_hash::FxHashMap;
 use std::cell::RefCell;
@@ -107,7 +107,7 @@ impl Source {
     }
 
     /// The tokens of piece number `index`; `None` past the end of the file.
-    pub fn tokens(&self, index: usize, names: &mut Names) -> Option<Rc<Piece>> {
+    pub fn tokens(&self, index: usize, names: &mut Words) -> Option<Rc<Piece>> {
         if let Some(Some(tokens)) = self.parsed.borrow().tokens.get(index) {
             return Some(Rc::clone(tokens));
         }
@@ -139,7 +139,7 @@ impl Source {
         Some(tokens)
     }
 
-    fn end_of(&self, piece: usize, names: &mut Names) -> Option<usize> {
+    fn end_of(&self, piece: usize, names: &mut Words) -> Option<usize> {
         if self.parsed.borrow().ends.len() <= piece {
             self.tokens(piece, names)?;
         }
@@ -151,7 +151,7 @@ impl Source {
     ///
     /// # Errors
     /// The first malformed token on the way, or `None` if the file ends before.
-    pub fn branch_end(&self, start: Position, names: &mut Names) -> Result<(Position, Directive), Option<Token>> {
+    pub fn branch_end(&self, start: Position, names: &mut Words) -> Result<(Position, Directive), Option<Token>> {
         if let Some(known) = self.parsed.borrow().branch_ends.get(&start) {
             return Ok(*known);
         }

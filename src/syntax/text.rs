@@ -1,6 +1,6 @@
 //! The bytes of a file, and its tokens where more than one reader wants them.
 
-use super::{Names, Symbol, Token, TokenKind};
+use super::{Symbol, Token, TokenKind, Words};
 use crate::diag::FileId;
 use rustc_hash::FxHashMap;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -55,7 +55,7 @@ impl Text {
     }
 
     /// Keeps the tokens of piece number `index`, behind which the next one begins at `end`, if they are wanted.
-    pub(super) fn keep(&self, index: usize, tokens: &[Token], names: &Names, end: usize) {
+    pub(super) fn keep(&self, index: usize, tokens: &[Token], names: &Words, end: usize) {
         // Pieces are read in order, at first; a reader that came before tokens were kept may be further on.
         if let Some(mut pieces) = self.pieces().filter(|pieces| pieces.len() == index) {
             pieces.push(Arc::new(Kept::new(tokens, names, end)));
@@ -64,7 +64,7 @@ impl Text {
 }
 
 impl Kept {
-    fn new(tokens: &[Token], names: &Names, end: usize) -> Self {
+    fn new(tokens: &[Token], names: &Words, end: usize) -> Self {
         let mut kept = Self { tokens: tokens.to_vec(), words: Vec::new(), end };
         let mut places = FxHashMap::default();
         for token in &mut kept.tokens {
@@ -82,7 +82,7 @@ impl Kept {
 
     /// Writes the tokens in place of what `tokens` holds, as if they had been read there for the first time; gives back
     /// where the next piece begins.
-    pub(super) fn write(&self, file: FileId, names: &mut Names, tokens: &mut Vec<Token>) -> usize {
+    pub(super) fn write(&self, file: FileId, names: &mut Words, tokens: &mut Vec<Token>) -> usize {
         let symbols: Vec<Symbol> = self.words.iter().map(|word| names.intern(word)).collect();
         tokens.clear();
         tokens.extend(self.tokens.iter().map(|token| {
@@ -104,7 +104,7 @@ mod tests {
 
     /// All tokens of a text as another file and to other words, with the words of its names.
     fn read(text: &Arc<Text>, file: u32, known: &str) -> (Vec<Token>, Vec<String>) {
-        let (mut names, source) = (Names::default(), Source::new(FileId(file), Arc::clone(text)));
+        let (mut names, source) = (Words::default(), Source::new(FileId(file), Arc::clone(text)));
         names.intern(known);
         let mut tokens = Vec::new();
         for index in 0.. {

@@ -3,10 +3,10 @@
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
 use crate::eval::disk::FONT_FOLDERS;
+use crate::eval::world::unreadable;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::{BicubicPatch, Blob, BlobComponent, HeightField, Prism, Shape, SweepSpline, Text};
 use crate::syntax::Keyword as K;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -330,7 +330,7 @@ impl Evaluator<'_> {
         let fonts = STANDARD_FONTS.iter().find(|(standard, _)| *standard == stem).map_or(&[][..], |(_, fonts)| fonts);
         let found = fonts.iter().find_map(|font| {
             let path = FONT_FOLDERS.iter().map(|folder| Path::new(folder).join(font));
-            path.into_iter().find_map(|path| Some((self.font_at(&path).ok()?, path)))
+            path.into_iter().find_map(|path| Some((self.world.font(&path).ok()?, path)))
         });
         let Some((font, path)) = found else {
             return self.error(span, format!("cannot find the font \"{name}\""));
@@ -344,19 +344,10 @@ impl Evaluator<'_> {
         let Some(path) = self.find_typed(name, &["ttf", "TTF", "ttc", "TTC"]) else {
             return self.system_font(name, span);
         };
-        match self.font_at(&path) {
+        match self.world.font(&path) {
             Ok(font) => Ok((font, path)),
-            Err(problem) => self.cannot_read(&path, &problem, span),
+            Err(problem) => self.error(span, unreadable(&path, &problem)),
         }
-    }
-
-    fn font_at(&mut self, path: &Path) -> io::Result<Arc<Vec<u8>>> {
-        if let Some(known) = self.binaries.fonts.get(path) {
-            return Ok(Arc::clone(known));
-        }
-        let font = self.host.font(path, self.host.read(path)?);
-        self.binaries.fonts.insert(path.to_owned(), Arc::clone(&font));
-        Ok(font)
     }
 }
 

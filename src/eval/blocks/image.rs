@@ -32,10 +32,7 @@ impl Evaluator<'_> {
             let width = self.image_side()?;
             self.comma()?;
             let height = self.image_side()?;
-            let limit = self.options.limits.array_elements;
-            if width as usize * height as usize > limit {
-                return self.limit(span, format!("this picture has more than {limit} pixels"), "array_elements");
-            }
+            self.within(self.budget.elements(width as usize * height as usize, "picture", "pixels"), span)?;
             let function = self.plain_function()?;
             return Ok(Image {
                 span,
@@ -122,14 +119,7 @@ impl Evaluator<'_> {
 
     /// The bytes of a picture.
     fn picture_file(&mut self, path: PathBuf, format: ImageFormat, span: Span) -> SourceResult<Arc<Encoded>> {
-        let key = (path, format);
-        if let Some(known) = self.binaries.pictures.get(&key) {
-            return Ok(Arc::clone(known));
-        }
-        let bytes = self.bytes_of(&key.0, span)?;
-        let file = self.host.picture(Encoded::new(key.0.clone(), format.decoder(), bytes));
-        self.binaries.pictures.insert(key, Arc::clone(&file));
-        Ok(file)
+        self.world.picture(path, format).or_else(|message| self.error(span, message))
     }
 
     /// A file of a type: a name that has the type's extension is tried as it is first, others last.

@@ -43,7 +43,7 @@ impl Evaluator<'_> {
         }
         while self.normal_item(&mut normal)? {}
         normal.span = span;
-        normal.depth = self.nested(normal.depth_of_parts(), span)?;
+        normal.depth = self.within(self.budget.levels(normal.depth_of_parts()), span)?;
         Ok(Arc::new(normal))
     }
 

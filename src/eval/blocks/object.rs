@@ -95,7 +95,7 @@ impl Evaluator<'_> {
     /// The identifier that comes next, if one does.
     fn name_ahead(&mut self) -> SourceResult<Option<Arc<str>>> {
         Ok(match self.peek()?.kind {
-            TokenKind::Name(name) => Some((&**self.names.word(name)).into()),
+            TokenKind::Name(name) => Some((&**self.names.words.word(name)).into()),
             _ => None,
         })
     }
@@ -399,7 +399,7 @@ impl Evaluator<'_> {
         }
         object.depth = match object.depth_of_parts() {
             0 => 0,
-            depth => self.nested(depth, span)?,
+            depth => self.within(self.budget.levels(depth), span)?,
         };
         Ok(())
     }

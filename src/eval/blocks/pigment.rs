@@ -144,7 +144,7 @@ impl Evaluator<'_> {
         }
         while self.pigment_item(&mut draft)? {}
         let mut pigment = draft.finish(span);
-        pigment.depth = self.nested(pigment.depth_of_parts(), span)?;
+        pigment.depth = self.within(self.budget.levels(pigment.depth_of_parts()), span)?;
         Ok(pigment)
     }
 

@@ -154,7 +154,7 @@ impl Evaluator<'_> {
         if matches!(patterned.map, Blend::Default) {
             return self.error(span, "a texture with a pattern needs a texture_map or a list of textures");
         }
-        patterned.depth = self.nested(patterned.depth_of_parts(), span)?;
+        patterned.depth = self.within(self.budget.levels(patterned.depth_of_parts()), span)?;
         Ok(Some(patterned))
     }
 

@@ -18,6 +18,7 @@ pub use body::{MacroResult, result_of};
 pub use parser::parse;
 pub use statement::{Action, Part, Scope, Statement};
 
+use super::expression::Operator;
 use super::{Keyword, Symbol};
 
 /// Index of a node.
@@ -197,22 +198,4 @@ impl Node {
         };
         (taken, 1)
     }
-}
-
-/// Operators of two operands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Operator {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Less,
-    AtMost,
-    Equal,
-    Differs,
-    AtLeast,
-    Greater,
-    And,
-    Or,
 }

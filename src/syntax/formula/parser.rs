@@ -1,6 +1,7 @@
 //! From tokens to a tree.
 
-use super::{Demand, Formula, List, MAX_PLAIN, MAX_STACK, MacroCall, Node, NodeId, Operand, OperandId, Operator};
+use super::{Demand, Formula, List, MAX_PLAIN, MAX_STACK, MacroCall, Node, NodeId, Operand, OperandId};
+use crate::syntax::expression::{Build, Choose, Language, Operator, Strength, chain, component, expression};
 use crate::syntax::vectors::read_vector;
 use crate::syntax::{Directive, Keyword, Symbol, Token, TokenKind};
 
@@ -181,74 +182,22 @@ impl Parser<'_> {
     }
 
     fn full(&mut self) -> Parsed {
-        let start = self.at;
-        let (condition, width) = self.logic()?;
-        if !self.accept('?') {
-            return Some((condition, width));
-        }
-        // Only a condition without names is sure to be a float.
-        let names = self.tokens[start..self.at].iter().any(|t| matches!(t.kind, TokenKind::Name(_)));
-        if width != Width::Float || names {
-            return None;
-        }
-        let (yes, a) = self.full()?;
-        if !self.accept(':') {
-            return None;
-        }
-        let (no, b) = self.full()?;
-        Some((self.parent(Node::Choice(condition, yes, no), condition), a.with(b)))
-    }
-
-    fn binary(&mut self, operand: fn(&mut Self) -> Parsed, operator: fn(TokenKind) -> Option<Operator>) -> Parsed {
-        let (mut left, mut width) = operand(self)?;
-        while let Some(operator) = self.peek().and_then(operator) {
-            let token = self.at as u16;
-            self.at += 1;
-            let (right, w) = operand(self)?;
-            width = width.with(w);
-            left = self.parent(Node::Binary(operator, left, right, token), left);
-        }
-        Some((left, width))
-    }
-
-    fn logic(&mut self) -> Parsed {
-        self.binary(Self::comparison, |kind| match kind {
-            TokenKind::Punct('&') => Some(Operator::And),
-            TokenKind::Punct('|') => Some(Operator::Or),
-            _ => None,
-        })
-    }
-
-    fn comparison(&mut self) -> Parsed {
-        self.binary(Self::sum, |kind| match kind {
-            TokenKind::Punct('<') => Some(Operator::Less),
-            TokenKind::Punct('>') => Some(Operator::Greater),
-            TokenKind::Punct('=') => Some(Operator::Equal),
-            TokenKind::OrEqual('<') => Some(Operator::AtMost),
-            TokenKind::OrEqual('>') => Some(Operator::AtLeast),
-            TokenKind::OrEqual(_) => Some(Operator::Differs),
-            _ => None,
-        })
-    }
-
-    fn sum(&mut self) -> Parsed {
-        let (node, width) = self.binary(Self::product, |kind| match kind {
-            TokenKind::Punct('+') => Some(Operator::Add),
-            TokenKind::Punct('-') => Some(Operator::Subtract),
-            _ => None,
-        })?;
-        if let Node::Macro(call) = self.node(node) {
-            self.formula.calls[usize::from(call)].whole = true;
-        }
+        let (node, width) = expression(self, ()).ok()?;
+        self.stands_whole(node);
         Some((node, width))
     }
 
-    fn product(&mut self) -> Parsed {
-        self.binary(Self::factor, |kind| match kind {
-            TokenKind::Punct('*') => Some(Operator::Multiply),
-            TokenKind::Punct('/') => Some(Operator::Divide),
-            _ => None,
-        })
+    fn sum(&mut self) -> Parsed {
+        let (node, width) = chain(self, Strength::Sum, ()).ok()?;
+        self.stands_whole(node);
+        Some((node, width))
+    }
+
+    /// No sign and no arithmetic stands beside a node.
+    fn stands_whole(&mut self, node: NodeId) {
+        if let Node::Macro(call) = self.node(node) {
+            self.formula.calls[usize::from(call)].whole = true;
+        }
     }
 
     fn factor(&mut self) -> Parsed {
@@ -313,14 +262,7 @@ impl Parser<'_> {
     fn component(&mut self) -> Option<u8> {
         let TokenKind::Keyword(word) = self.peek()? else { return None };
         self.at += 1;
-        Some(match word {
-            Keyword::X | Keyword::U | Keyword::Red => 0,
-            Keyword::Y | Keyword::V | Keyword::Green => 1,
-            Keyword::Z | Keyword::Blue => 2,
-            Keyword::T | Keyword::Filter => 3,
-            Keyword::Transmit => 4,
-            _ => return None,
-        })
+        component(word)
     }
 
     /// What stands behind a name decides what it must be.
@@ -478,6 +420,69 @@ impl Parser<'_> {
         };
         let first = self.formula.lists[usize::from(arguments.start)];
         Some((self.parent(Node::Call(word, arguments, token), first), Width::Float))
+    }
+}
+
+/// There is no whole expression, or one that is better read token by token.
+struct NotWhole;
+
+impl Build for Parser<'_> {
+    type Built = (NodeId, Width);
+    type Place = ();
+    /// The number of a token.
+    type Mark = usize;
+    type Stop = NotWhole;
+    const LANGUAGE: Language = Language::Values;
+
+    fn operator(&mut self) -> Result<Option<Operator>, NotWhole> {
+        Ok(self.peek().and_then(Operator::of))
+    }
+
+    fn take_operator(&mut self) -> usize {
+        self.at += 1;
+        self.at - 1
+    }
+
+    fn operand(&mut self, (): ()) -> Result<Self::Built, NotWhole> {
+        self.factor().ok_or(NotWhole)
+    }
+
+    fn combine(
+        &mut self,
+        operator: Operator,
+        (left, a): Self::Built,
+        (right, b): Self::Built,
+        token: usize,
+    ) -> Result<Self::Built, NotWhole> {
+        if operator.strength(Self::LANGUAGE) <= Strength::Comparison {
+            self.stands_whole(left);
+            self.stands_whole(right);
+        }
+        Ok((self.parent(Node::Binary(operator, left, right, token as u16), left), a.with(b)))
+    }
+}
+
+impl Choose for Parser<'_> {
+    fn start(&mut self) -> Result<usize, NotWhole> {
+        Ok(self.at)
+    }
+
+    fn accept_question(&mut self) -> Result<bool, NotWhole> {
+        Ok(self.accept('?'))
+    }
+
+    fn choose(&mut self, (condition, width): Self::Built, start: usize, (): ()) -> Result<Self::Built, NotWhole> {
+        // Only a condition without names is sure to be a float.
+        let names = self.tokens[start..self.at].iter().any(|t| matches!(t.kind, TokenKind::Name(_)));
+        if width != Width::Float || names {
+            return Err(NotWhole);
+        }
+        let (yes, a) = self.full().ok_or(NotWhole)?;
+        if !self.accept(':') {
+            return Err(NotWhole);
+        }
+        let (no, b) = self.full().ok_or(NotWhole)?;
+        Ok((self.parent(Node::Choice(condition, yes, no), condition), a.with(b)))
     }
 }
 

@@ -9,12 +9,12 @@ pub struct Symbol(pub u32);
 
 /// All identifiers met so far.
 #[derive(Debug, Default)]
-pub struct Names {
+pub struct Words {
     words: Vec<Rc<str>>,
     symbols: FxHashMap<Rc<str>, Symbol>,
 }
 
-impl Names {
+impl Words {
     /// The symbol of a word, made on first sight.
     pub fn intern(&mut self, word: &str) -> Symbol {
         if let Some(&symbol) = self.symbols.get(word) {

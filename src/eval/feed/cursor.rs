@@ -1,36 +1,34 @@
-//! Where tokens come from: a stack of cursors over files and macro bodies.
-//!
-//! The innermost cursor yields tokens until it is exhausted, then the one below goes on.
-//! A loop is a jump back within a cursor; an include or a macro call pushes one.
+//! A place in a file or macro body, from which tokens are read.
 
-use super::Evaluator;
-use super::scope::{Scopes, TableId};
-use crate::diag::{Diagnostic, SourceResult, Span};
+use crate::diag::Span;
 use crate::syntax::formula::{Formula, Statement};
 use crate::syntax::vectors::read_vector;
-use crate::syntax::{Directive, Names, Piece, Position, Source, Symbol, Token, TokenKind};
+use crate::syntax::{Directive, Piece, Position, Source, Symbol, Token, TokenKind, Words};
 use std::rc::Rc;
 
 /// A place in a source, and how far to go.
 #[derive(Debug)]
-pub(super) struct Cursor {
-    pub(super) source: Rc<Source>,
+pub(in crate::eval) struct Cursor {
+    pub(in crate::eval) source: Rc<Source>,
     tokens: Option<Rc<Piece>>,
     piece: u32,
     index: usize,
     /// Tokens of this piece that belong to the cursor.
     limit: usize,
     /// Where a macro body ends; the end of the file otherwise.
-    end: Option<Position>,
+    pub(super) end: Option<Position>,
     run: Option<Run>,
     /// Its end is reported instead of going on below: a macro within a formula.
-    pub(super) fenced: bool,
-    pub(super) role: Role,
+    pub(in crate::eval) fenced: bool,
+    pub(in crate::eval) role: Role,
     /// How many blocks were open when it started.
-    pub(super) blocks: usize,
+    pub(in crate::eval) blocks: usize,
     /// What led here.
-    pub(super) call: Span,
+    pub(in crate::eval) call: Span,
 }
+
+/// Components of a literal vector, and how many there are.
+pub(in crate::eval) type Literal = ([f64; 5], u8);
 
 /// Literal vectors of which some are still to come.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +40,7 @@ struct Run {
 
 /// What a cursor reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Role {
+pub(in crate::eval) enum Role {
     /// The scene file.
     Main,
     /// An include file.
@@ -55,7 +53,7 @@ pub(super) enum Role {
 
 impl Cursor {
     /// Over a file from its beginning, or over a macro body.
-    pub(super) fn new(source: Rc<Source>, range: (Position, Option<Position>), role: Role) -> Self {
+    pub(in crate::eval) fn new(source: Rc<Source>, range: (Position, Option<Position>), role: Role) -> Self {
         let (start, end) = range;
         Self {
             source,
@@ -74,49 +72,49 @@ impl Cursor {
     }
 
     /// Where it stands.
-    pub(super) fn position(&self) -> Position {
+    pub(in crate::eval) fn position(&self) -> Position {
         Position { piece: self.piece, index: self.index as u32 }
     }
 
     /// Which token of the current piece comes next.
-    pub(super) fn index(&self) -> usize {
+    pub(in crate::eval) fn index(&self) -> usize {
         self.index
     }
 
     /// Lets the token that was read last come again.
-    pub(super) fn step_back(&mut self) {
+    pub(in crate::eval) fn step_back(&mut self) {
         if self.run.is_none() {
             self.index = self.index.saturating_sub(1);
         }
     }
 
     /// Makes its first piece the current one.
-    pub(super) fn enter(&mut self, names: &mut Names) {
+    pub(in crate::eval) fn enter(&mut self, words: &mut Words) {
         if self.tokens.is_none() {
-            self.load(self.piece, names);
+            self.load(self.piece, words);
         }
     }
 
     /// Whether it reads the body of a macro.
-    pub(super) fn is_macro(&self) -> bool {
+    pub(in crate::eval) fn is_macro(&self) -> bool {
         matches!(self.role, Role::Macro(_))
     }
 
     /// Goes somewhere else in the same source.
-    pub(super) fn jump(&mut self, to: Position, names: &mut Names) {
+    pub(in crate::eval) fn jump(&mut self, to: Position, words: &mut Words) {
         self.run = None;
         self.index = to.index as usize;
         if to.piece != self.piece || self.tokens.is_none() {
-            self.load(to.piece, names);
+            self.load(to.piece, words);
         }
     }
 
     /// Makes a piece the current one; false past the end.
-    fn load(&mut self, piece: u32, names: &mut Names) -> bool {
+    fn load(&mut self, piece: u32, words: &mut Words) -> bool {
         if self.end.is_some_and(|end| piece > end.piece) {
             return false;
         }
-        let Some(tokens) = self.source.tokens(piece as usize, names) else { return false };
+        let Some(tokens) = self.source.tokens(piece as usize, words) else { return false };
         self.piece = piece;
         self.limit = match self.end {
             Some(end) if end.piece == piece => tokens.tokens.len().min(end.index as usize),
@@ -139,13 +137,13 @@ impl Cursor {
 
     /// The next token, where that takes no more than reading it.
     #[inline]
-    fn quick_step(&mut self) -> Option<&Token> {
+    pub(super) fn quick_step(&mut self) -> Option<&Token> {
         self.step_if(|token| !matches!(token.kind, TokenKind::Vectors | TokenKind::Bad(_)))
     }
 
     /// The next token, where nothing has to run in front of it.
     #[inline]
-    pub(super) fn plain_step(&mut self) -> Option<&Token> {
+    pub(in crate::eval) fn plain_step(&mut self) -> Option<&Token> {
         self.step_if(|token| match token.kind {
             TokenKind::Number(_) | TokenKind::String | TokenKind::Keyword(_) | TokenKind::OrEqual(_) => true,
             TokenKind::Punct(c) => c != '#',
@@ -155,7 +153,7 @@ impl Cursor {
 
     /// Whether a token comes next that can be no part of an expression, with nothing to run in front of it.
     #[inline]
-    pub(super) fn ends_expression(&self) -> bool {
+    pub(in crate::eval) fn ends_expression(&self) -> bool {
         let ends =
             |token: &Token| matches!(token.kind, TokenKind::Punct(',' | ';' | '{' | '}') | TokenKind::Keyword(_));
         let next = self.tokens.as_ref().and_then(|piece| piece.tokens.get(self.index));
@@ -164,14 +162,14 @@ impl Cursor {
 
     /// The next token, taken, if it is a directive in the current piece.
     #[inline]
-    pub(super) fn directive(&mut self) -> Option<(Directive, Span)> {
+    pub(in crate::eval) fn directive(&mut self) -> Option<(Directive, Span)> {
         let token = self.step_if(|token| matches!(token.kind, TokenKind::Directive(_)))?;
         let TokenKind::Directive(directive) = token.kind else { return None };
         Some((directive, token.span))
     }
 
     /// The next token; `None` at the end. For a literal vector its components go to `literal`.
-    pub(super) fn step(&mut self, names: &mut Names, literal: &mut ([f64; 5], u8)) -> Option<Token> {
+    pub(in crate::eval) fn step(&mut self, words: &mut Words, literal: &mut Literal) -> Option<Token> {
         loop {
             if let Some(token) = self.step_run(literal) {
                 return Some(token);
@@ -187,21 +185,21 @@ impl Cursor {
                 self.run = Some(Run { at: token.span.start as usize, end: token.span.end as usize, comma: false });
             } else if self.tokens.is_none() {
                 let (piece, index) = (self.piece, self.index);
-                if !self.load(piece, names) {
+                if !self.load(piece, words) {
                     return None;
                 }
                 self.index = index;
-                if self.index >= self.limit && !self.advance_piece(names) {
+                if self.index >= self.limit && !self.advance_piece(words) {
                     return None;
                 }
-            } else if !self.advance_piece(names) {
+            } else if !self.advance_piece(words) {
                 return None;
             }
         }
     }
 
-    fn advance_piece(&mut self, names: &mut Names) -> bool {
-        let loaded = self.load(self.piece + 1, names);
+    fn advance_piece(&mut self, words: &mut Words) -> bool {
+        let loaded = self.load(self.piece + 1, words);
         if loaded {
             self.index = 0;
         }
@@ -210,7 +208,7 @@ impl Cursor {
 
     /// The next token of a run of vectors: a vector or the comma behind it.
     #[inline]
-    fn step_run(&mut self, literal: &mut ([f64; 5], u8)) -> Option<Token> {
+    fn step_run(&mut self, literal: &mut Literal) -> Option<Token> {
         let run = self.run.as_mut()?;
         let start = run.at as u32;
         let span = |end: usize| Span { file: self.source.file, start, end: end as u32 };
@@ -241,7 +239,12 @@ impl Cursor {
     /// The formula that begins with the held back token, or else with the next one, and the
     /// index of its first token.
     #[inline]
-    pub(super) fn formula(&self, held: Option<&Token>, full: bool, scopes: &Scopes) -> Option<(Rc<Formula>, usize)> {
+    pub(in crate::eval) fn formula(
+        &self,
+        held: Option<&Token>,
+        full: bool,
+        is_macro: &dyn Fn(Symbol) -> bool,
+    ) -> Option<(Rc<Formula>, usize)> {
         let piece = self.tokens.as_ref()?;
         if self.run.is_some() {
             return None;
@@ -260,46 +263,50 @@ impl Cursor {
         if start >= self.limit {
             return None;
         }
-        Some((piece.formula(start, full, self.source.text(), &|name| scopes.is_macro(name))?, start))
+        Some((piece.formula(start, full, self.source.text(), is_macro)?, start))
     }
 
     /// The statement that comes next, or begins so many tokens before; and the index of its first token.
     #[inline]
-    pub(super) fn statement(&self, before: usize, scopes: &Scopes) -> Option<(Rc<Statement>, usize)> {
+    pub(in crate::eval) fn statement(
+        &self,
+        before: usize,
+        is_macro: &dyn Fn(Symbol) -> bool,
+    ) -> Option<(Rc<Statement>, usize)> {
         let (piece, start) = (self.tokens.as_ref()?, self.index.checked_sub(before)?);
         if start >= self.limit || self.run.is_some() {
             return None;
         }
-        let statement = piece.statement(start, self.source.text(), &|name| scopes.is_macro(name))?;
+        let statement = piece.statement(start, self.source.text(), is_macro)?;
         // Behind a macro's last statement its caller goes on, maybe with a semicolon.
         (start + statement.length < self.limit).then_some((statement, start))
     }
 
     /// Lets that token of the current piece come next.
-    pub(super) fn go_on_at(&mut self, token: usize) {
+    pub(in crate::eval) fn go_on_at(&mut self, token: usize) {
         self.index = token;
     }
 
     /// Goes past tokens of the current piece.
-    pub(super) fn skip_tokens(&mut self, n: usize) {
+    pub(in crate::eval) fn skip_tokens(&mut self, n: usize) {
         self.index += n;
     }
 
     /// Where a token of the current piece stands.
-    pub(super) fn span_of(&self, index: usize) -> Span {
+    pub(in crate::eval) fn span_of(&self, index: usize) -> Span {
         let token = self.tokens.as_ref().and_then(|piece| piece.tokens.get(index));
         token.map_or(Span { file: self.source.file, start: 0, end: 0 }, |t| t.span)
     }
 
     /// Whether another literal vector of the current run follows.
-    pub(super) fn more_vectors(&self) -> bool {
+    pub(in crate::eval) fn more_vectors(&self) -> bool {
         self.run.is_some()
     }
 
     /// Reads up to `n` literal vectors without making tokens of them; how many there were.
     ///
     /// Must be called where a vector, or the comma before one, comes next.
-    pub(super) fn take_vectors(&mut self, n: usize, mut take: impl FnMut([f64; 5], u8)) -> usize {
+    pub(in crate::eval) fn take_vectors(&mut self, n: usize, mut take: impl FnMut([f64; 5], u8)) -> usize {
         let Some(run) = self.run else { return 0 };
         let text = Rc::clone(&self.source);
         let text = &text.text()[..run.end];
@@ -317,122 +324,5 @@ impl Cursor {
         }
         self.run = (!ended && at < run.end).then_some(Run { at, comma: true, ..run });
         taken
-    }
-}
-
-impl Evaluator<'_> {
-    /// The next token before directives and macros are looked at.
-    #[inline]
-    pub(super) fn fetch(&mut self) -> SourceResult<Token> {
-        if let Some(cursor) = self.cursors.last_mut()
-            && let Some(token) = cursor.quick_step()
-        {
-            self.last_span = token.span;
-            return Ok(*token);
-        }
-        self.fetch_slowly()
-    }
-
-    fn fetch_slowly(&mut self) -> SourceResult<Token> {
-        loop {
-            let Some(cursor) = self.cursors.last_mut() else {
-                return Ok(Token { kind: TokenKind::End, span: self.last_span });
-            };
-            if let Some(token) = cursor.step(&mut self.names, &mut self.literal) {
-                self.last_span = token.span;
-                if let TokenKind::Bad(what) = token.kind {
-                    return self.error(token.span, what.message());
-                }
-                return Ok(token);
-            }
-            if cursor.fenced {
-                return Ok(Token { kind: TokenKind::End, span: self.last_span });
-            }
-            self.leave_cursor()?;
-        }
-    }
-
-    /// Goes on below an exhausted cursor.
-    pub(super) fn leave_cursor(&mut self) -> SourceResult<()> {
-        let Some(cursor) = self.cursors.last() else { return Ok(()) };
-        match cursor.role {
-            Role::Main => {
-                if let Some(open) = self.open_blocks.last() {
-                    let (span, word) = (open.span, open.word());
-                    return self.error(span, format!("the file ends before the #end of this #{word}"));
-                }
-            }
-            Role::Macro(_) => {
-                if let Some(open) = self.open_blocks.get(cursor.blocks) {
-                    let (span, word) = (open.span, open.word());
-                    return self.error(span, format!("the macro ends before the #end of this #{word}"));
-                }
-                self.macro_depth -= 1;
-                self.scopes.pop();
-            }
-            Role::Include => {
-                self.include_depth -= 1;
-                self.scopes.pop();
-            }
-            Role::Data => {}
-        }
-        self.cursors.pop();
-        Ok(())
-    }
-
-    /// Skips to the directive that ends the current branch and returns it.
-    pub(super) fn skip_branch(&mut self, opened: Span) -> SourceResult<Directive> {
-        loop {
-            let Some(cursor) = self.cursors.last_mut() else {
-                return self.error(opened, "the file ends before the #end that belongs to this");
-            };
-            match cursor.source.branch_end(cursor.position(), &mut self.names) {
-                Ok((to, directive)) if cursor.end.is_none_or(|end| to <= end) => {
-                    cursor.jump(to, &mut self.names);
-                    return Ok(directive);
-                }
-                Err(Some(bad)) => {
-                    let TokenKind::Bad(what) = bad.kind else { return self.error(bad.span, "malformed text") };
-                    return self.error(bad.span, what.message());
-                }
-                Ok(_) | Err(None) => {
-                    if !matches!(cursor.role, Role::Include) {
-                        return self.error(opened, "there is no #end that belongs to this");
-                    }
-                    self.leave_cursor()?;
-                }
-            }
-        }
-    }
-
-    /// Skips to the `#end` of the current block, past all its further branches.
-    pub(super) fn skip_block(&mut self, opened: Span) -> SourceResult<()> {
-        while self.skip_branch(opened)? != Directive::End {}
-        Ok(())
-    }
-
-    /// Adds the macro calls and includes that led here, innermost first.
-    pub(super) fn with_trace(&self, mut diagnostic: Diagnostic) -> Diagnostic {
-        /// More of a recursion's trail helps nobody.
-        const MAX_TRAIL: usize = 8;
-        for cursor in self.cursors.iter().rev() {
-            let what = match cursor.role {
-                Role::Macro(name) => format!("in macro '{}', called", self.names.word(name)),
-                Role::Include => "in a file included".to_owned(),
-                Role::Main | Role::Data => continue,
-            };
-            // A recursion is told once.
-            if diagnostic.trace.len() < MAX_TRAIL
-                && diagnostic.trace.last().is_none_or(|(span, _)| *span != cursor.call)
-            {
-                diagnostic.trace.push((cursor.call, what));
-            }
-        }
-        diagnostic
-    }
-
-    /// The table names are made in by `#local`.
-    pub(super) fn local_table(&self) -> TableId {
-        self.scopes.innermost()
     }
 }

@@ -6,106 +6,20 @@
 //!
 //! Source: language facts, section 8.
 
-use super::Value;
-use crate::syntax::Symbol;
+mod place;
+#[cfg(test)]
+mod tests;
+
+pub(super) use place::{Place, Slot};
+
+use super::{Macro, Number, Value};
+use crate::scene::Function;
+use crate::syntax::formula::Scope;
+use crate::syntax::{Symbol, Words};
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
-use std::cell::RefCell;
 use std::rc::Rc;
-
-/// Where a value lives, shared by all names that alias it.
-pub(super) type Slot = Rc<RefCell<Value>>;
-
-/// What a name, or a name with indices, refers to.
-#[derive(Debug)]
-pub(super) struct Place {
-    /// The variable.
-    pub slot: Slot,
-    /// For an element: its flat index in each nested array, outermost first.
-    pub path: SmallVec<[u32; 2]>,
-}
-
-impl Clone for Place {
-    #[inline]
-    fn clone(&self) -> Self {
-        let path = if self.path.is_empty() { SmallVec::new() } else { SmallVec::from_slice(&self.path) };
-        Self { slot: Rc::clone(&self.slot), path }
-    }
-}
-
-impl Place {
-    /// A new variable.
-    pub(super) fn new(value: Value) -> Self {
-        Self { slot: Rc::new(RefCell::new(value)), path: SmallVec::new() }
-    }
-
-    /// Whether it is a variable that holds a float or vector.
-    #[inline]
-    pub(super) fn holds_number(&self) -> bool {
-        self.path.is_empty() && matches!(&*self.slot.borrow(), Value::Float(_) | Value::Vector(_))
-    }
-
-    /// Its value, if it is a variable that holds a float.
-    #[inline]
-    pub(super) fn float(&self) -> Option<f64> {
-        match &*self.slot.borrow() {
-            Value::Float(f) if self.path.is_empty() => Some(*f),
-            _ => None,
-        }
-    }
-
-    /// Looks at the value; `None` for an unset element.
-    #[inline]
-    pub(super) fn with<T>(&self, look: impl FnOnce(Option<&Value>) -> T) -> T {
-        let value = self.slot.borrow();
-        if self.path.is_empty() {
-            return look(Some(&value));
-        }
-        let mut at = Some(&*value);
-        for index in &self.path {
-            at = match at {
-                Some(Value::Array(array)) => array.elements.get(*index as usize).and_then(Option::as_ref),
-                _ => None,
-            };
-        }
-        look(at)
-    }
-
-    /// The value; `None` for an unset element.
-    pub(super) fn get(&self) -> Option<Value> {
-        self.with(|value| value.cloned())
-    }
-
-    /// The flat index of an element, if an array stands here.
-    pub(super) fn flat_index(&self, indices: &[f64]) -> Result<usize, String> {
-        self.with(|value| match value {
-            Some(Value::Array(array)) => array.flat_index(indices),
-            _ => Ok(0),
-        })
-    }
-
-    /// Stores a value, or unsets an element.
-    pub(super) fn set(&self, value: Option<Value>) {
-        let mut slot = self.slot.borrow_mut();
-        if self.path.is_empty() {
-            if let Some(value) = value {
-                *slot = value;
-            }
-            return;
-        }
-        let mut at = &mut *slot;
-        for (depth, index) in self.path.iter().enumerate() {
-            let Value::Array(array) = at else { return };
-            let Some(element) = Rc::make_mut(array).elements.get_mut(*index as usize) else { return };
-            if depth + 1 == self.path.len() {
-                *element = value;
-                return;
-            }
-            let Some(inner) = element else { return };
-            at = inner;
-        }
-    }
-}
+use std::sync::Arc;
 
 /// One meaning of a name.
 #[derive(Clone, Debug)]
@@ -132,7 +46,9 @@ pub(super) struct TableId {
 
 /// All names in force.
 #[derive(Debug)]
-pub(super) struct Scopes {
+pub(super) struct Names {
+    /// The words of the symbols.
+    pub(super) words: Words,
     bindings: Vec<SmallVec<[Binding; 1]>>,
     tables: Vec<Table>,
     /// Lists of names of closed tables, to be used again.
@@ -143,14 +59,15 @@ pub(super) struct Scopes {
     /// Of each name, whether what it stands for was used.
     used: Vec<bool>,
     /// Names declared `deprecated`: whether to warn only once, and the text.
-    pub(super) deprecated: FxHashMap<Symbol, (bool, Rc<str>)>,
+    deprecated: FxHashMap<Symbol, (bool, Rc<str>)>,
 }
 
-impl Default for Scopes {
+impl Default for Names {
     fn default() -> Self {
         let global = Table { id: 0, names: Vec::new() };
         let deprecated = FxHashMap::default();
         Self {
+            words: Words::default(),
             bindings: Vec::new(),
             tables: vec![global],
             spare: Vec::new(),
@@ -162,7 +79,7 @@ impl Default for Scopes {
     }
 }
 
-impl Scopes {
+impl Names {
     /// Opens a table.
     pub(super) fn push(&mut self) {
         self.opened += 1;
@@ -239,6 +156,52 @@ impl Scopes {
         self.find(name).is_some_and(|place| matches!(&*place.slot.borrow(), Value::Macro(_)))
     }
 
+    /// What the name stands for, if that is a number.
+    pub(super) fn number(&self, name: Symbol) -> Option<Number> {
+        self.find(name)?.with(|value| value.and_then(Value::number))
+    }
+
+    /// The value of that name; an element that is not set has none.
+    pub(super) fn get(&self, name: Symbol) -> Option<Value> {
+        self.find(name).and_then(Place::get)
+    }
+
+    /// The function of that name.
+    pub(super) fn function(&self, name: Symbol) -> Option<Arc<Function>> {
+        self.find(name)?.with(|value| match value {
+            Some(Value::Function(function)) => Some(Arc::clone(function)),
+            _ => None,
+        })
+    }
+
+    /// The macro of that name.
+    pub(super) fn macro_named(&self, name: Symbol) -> Option<Rc<Macro>> {
+        let place = self.find(name)?;
+        match &*place.slot.borrow() {
+            Value::Macro(called) if place.path.is_empty() => Some(Rc::clone(called)),
+            _ => None,
+        }
+    }
+
+    /// Whether the name, or an element of the array it stands for, is a value of which that holds.
+    pub(super) fn stands_for(&self, name: Symbol, holds: impl Fn(&Value) -> bool) -> bool {
+        self.find(name).is_some_and(|place| {
+            place.with(|value| match value {
+                Some(Value::Array(array)) => array.sample().is_some_and(holds),
+                value => value.is_some_and(holds),
+            })
+        })
+    }
+
+    /// What a declaration in that scope changes.
+    #[inline]
+    pub(super) fn find_in(&self, scope: Scope, name: Symbol) -> Option<&Place> {
+        match scope {
+            Scope::Any => self.find(name),
+            Scope::Local => self.find_innermost(name),
+        }
+    }
+
     /// What the name stands for in the innermost table alone.
     pub(super) fn find_innermost(&self, name: Symbol) -> Option<&Place> {
         let binding = self.bindings.get(name.0 as usize)?.last()?;
@@ -277,10 +240,44 @@ impl Scopes {
         self.used[index] = true;
     }
 
+    /// Lets every use of a name be warned of, or only the first one.
+    pub(super) fn deprecate(&mut self, name: Symbol, once: bool, text: Rc<str>) {
+        self.deprecated.insert(name, (once, text));
+    }
+
+    /// What to warn of at a use of a name.
+    #[inline]
+    pub(super) fn deprecation(&mut self, name: Symbol) -> Option<Rc<str>> {
+        if self.deprecated.is_empty() {
+            return None;
+        }
+        let (once, text) = self.deprecated.get(&name).cloned()?;
+        if once {
+            self.deprecated.remove(&name);
+        }
+        Some(text)
+    }
+
+    /// Whether there are names whose use is to be warned of.
+    #[inline]
+    pub(super) fn any_deprecated(&self) -> bool {
+        !self.deprecated.is_empty()
+    }
+
+    /// What a message calls a name: what it stands for, and its word.
+    pub(super) fn describe(&self, name: Symbol) -> String {
+        let word = self.words.word(name);
+        match self.find(name).map(|place| place.with(|value| value.map(Value::kind))) {
+            Some(Some(kind)) => format!("the {kind} '{word}'"),
+            Some(None) => format!("the unset '{word}'"),
+            None => format!("the undeclared name '{word}'"),
+        }
+    }
+
     /// What names that were never used stand for.
     pub(super) fn unused(&self) -> impl Iterator<Item = &Place> {
         let is_used = |name: &Symbol| self.used.get(name.0 as usize).is_some_and(|used| *used);
-        self.names().filter(move |name| !is_used(name)).filter_map(|name| self.find(name))
+        self.declared().filter(move |name| !is_used(name)).filter_map(|name| self.find(name))
     }
 
     /// Removes the innermost meaning of a name; false if there is none.
@@ -289,44 +286,7 @@ impl Scopes {
     }
 
     /// All names with a meaning.
-    pub(super) fn names(&self) -> impl Iterator<Item = Symbol> {
+    pub(super) fn declared(&self) -> impl Iterator<Item = Symbol> {
         self.bindings.iter().enumerate().filter(|(_, b)| !b.is_empty()).map(|(i, _)| Symbol(i as u32))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn float(scopes: &Scopes, name: Symbol) -> Option<f64> {
-        scopes.find(name)?.get()?.number().map(|n| n.v[0])
-    }
-
-    #[test]
-    fn inner_tables_hide_outer_ones_until_they_close() {
-        let (mut scopes, name) = (Scopes::default(), Symbol(3));
-        scopes.bind(Scopes::GLOBAL, name, Place::new(Value::Float(1.0)));
-        scopes.push();
-        let inner = scopes.innermost();
-        assert!(scopes.find_innermost(name).is_none());
-        scopes.bind(inner, name, Place::new(Value::Float(2.0)));
-        assert_eq!(float(&scopes, name), Some(2.0));
-        scopes.pop();
-        assert_eq!(float(&scopes, name), Some(1.0));
-        scopes.push();
-        scopes.bind(inner, name, Place::new(Value::Float(3.0)));
-        assert_eq!(float(&scopes, name), Some(1.0), "a closed table takes nothing");
-    }
-
-    #[test]
-    fn a_global_made_under_a_local_stays_hidden() {
-        let (mut scopes, name) = (Scopes::default(), Symbol(0));
-        scopes.push();
-        scopes.bind(scopes.innermost(), name, Place::new(Value::Float(1.0)));
-        scopes.bind(Scopes::GLOBAL, name, Place::new(Value::Float(2.0)));
-        assert_eq!(float(&scopes, name), Some(1.0));
-        scopes.pop();
-        assert_eq!(float(&scopes, name), Some(2.0));
-        assert!(scopes.unbind(name) && !scopes.unbind(name));
     }
 }
