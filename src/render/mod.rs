@@ -50,5 +50,6 @@ pub use options::{Antialias, Method, Options, Region, Target};
 pub use picture::{Rendered, render};
 pub use progressive::{Accuracy, End, Progress};
 pub use radiance::Radiance;
+pub use radiosity::KnownLight;
 pub use statistics::Statistics;
 pub use told::{Told, tell};

@@ -46,7 +46,11 @@ impl<'w> Prepared<'w> {
                 false => Interiors::default(),
             }),
             camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
-            radiosity: world.radiosity.as_ref().filter(|_| options.indirect_light()).map(Shared::new),
+            radiosity: world
+                .radiosity
+                .as_ref()
+                .filter(|_| options.indirect_light())
+                .map(|r| Shared::new(r, options.known_light.as_deref())),
             settling: world.media.iter().map(|medium| Settling::new(&medium.sampling)).collect(),
             has_air: options.atmosphere() && features.has_air(),
             side_by_side: one_ray_a_position(world)
