@@ -3,7 +3,7 @@
 use super::function::Functions;
 use super::geometry::{CompiledGeometry, PlacedLight, Watched, compile_object_sharing};
 use super::texture::{Refusal, TextureCompiler, noise_generator};
-use super::{camera, light, medium};
+use super::{camera, light, medium, photons};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
 use crate::compiled::geometry::{InteriorId, LightGroupId, TextureId, Touching};
 use crate::compiled::interior::{Interior, InteriorFade};
@@ -58,6 +58,7 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
         interiors,
         lights,
         light_groups,
+        targets,
         labels,
         mut warnings,
         watched,
@@ -74,6 +75,7 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
     let Lights { all: lights, global: global_lights, of_groups: group_lights } =
         place_lights(lights, &light_groups, &mut warnings)?;
     warn_about_light(scene, &mut warnings);
+    let photons = photons::photons(&scene.settings, targets, &lights, &global_lights, &mut warnings)?;
     let (Some(camera), Some(interiors), Some(atmosphere), true) = (camera, interiors, atmosphere, errors.is_empty())
     else {
         return Err(errors);
@@ -95,6 +97,7 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
         camera,
         atmosphere,
         settings: settings(&scene.settings),
+        photons,
         radiosity: scene.settings.radiosity.as_ref().map(|r| super::radiosity::radiosity(r, &scene.settings)),
         labels,
         touching: Touching::default(),
@@ -314,13 +317,10 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
 /// What a Whitted renderer leaves out is said once for each feature, where it stands.
 fn warn_about_light(scene: &Scene, warnings: &mut Vec<Diagnostic>) {
     let settings = &scene.settings;
-    let left_out = [
-        (settings.photons.as_ref().map(|p| p.span), "`photons` are not rendered: caustics will be missing"),
-        (
-            settings.subsurface.map(|s| s.span),
-            "`subsurface` light is not rendered: light below surfaces will be missing",
-        ),
-    ];
+    let left_out = [(
+        settings.subsurface.map(|s| s.span),
+        "`subsurface` light is not rendered: light below surfaces will be missing",
+    )];
     let warn = |(span, message): (Option<Span>, &str)| Some(Diagnostic::warning(Topic::Unsupported, span?, message));
     warnings.extend(left_out.into_iter().filter_map(warn));
 }

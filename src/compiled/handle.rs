@@ -87,6 +87,10 @@ handles! {
     pub struct StatementId;
     /// One of the light groups that `compile` collected.
     pub struct LightGroupId;
+    /// An object at which photons are shot.
+    pub struct TargetId;
+    /// What objects say about photons.
+    pub struct PhotonRoleId;
     /// A shape in its place.
     pub(crate) struct PrimitiveId;
     /// Objects that do not combine, shared by instances.

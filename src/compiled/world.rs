@@ -9,6 +9,7 @@ use super::interior::Interior;
 use super::labels::Labels;
 use super::light::Light;
 use super::medium::Medium;
+use super::photons::Photons;
 use super::radiosity::Radiosity;
 use super::texture::Texture;
 use crate::imaging::Curve;
@@ -42,6 +43,8 @@ pub struct World {
     pub settings: Settings,
     /// How light between surfaces is gathered, if it is.
     pub radiosity: Option<Radiosity>,
+    /// How photons are shot and gathered, if they are.
+    pub photons: Option<Photons>,
     /// Names, for layers.
     pub labels: Labels,
     /// Where objects that bend or dim light may touch.

@@ -7,11 +7,11 @@
 //! Read from the bottom of this list upwards, each module knows those below it:
 //!
 //! - `picture`: the whole; `told`: one pixel in words; `progressive`: rounds of samples until the error is small; `antialias`: POV-Ray's positions;
-//! - `pretrace`: light between surfaces, before the picture;
+//! - `shoot`: photons, and `pretrace`: light between surfaces, before the picture;
 //! - `work`: blocks on all cores; `sensor`: the rays through an image position;
 //! - `transport`: the recursion; `light`: what arrives at a vertex from light sources; `shade`: layers as values;
 //! - `film`: what is kept of light; `worker`, `prepare`: what a thread owns, what all share;
-//! - `radiosity`: records of light between surfaces;
+//! - `radiosity`: records of light between surfaces; `photons`: light that was carried by way of glass and mirrors;
 //! - `medium`, `environment`: what a ray passes, what it sees at the end; `camera`; `vertex`, `path`;
 //! - `enough`, `random`, `jitter`, `radiance`, `statistics`, `observer`, `options`.
 
@@ -27,6 +27,7 @@ mod medium;
 mod observer;
 mod options;
 mod path;
+mod photons;
 mod picture;
 mod prepare;
 mod pretrace;
@@ -36,6 +37,7 @@ mod radiosity;
 mod random;
 mod sensor;
 mod shade;
+mod shoot;
 mod statistics;
 mod told;
 mod transport;

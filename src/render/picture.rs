@@ -14,6 +14,7 @@ use super::progressive::{self, Found, Progress};
 use super::radiance::Radiance;
 use super::radiosity::KnownLight;
 use super::sensor::at_grid;
+use super::shoot::shoot;
 use super::statistics::Statistics;
 use super::work::Work;
 use super::worker::Worker;
@@ -41,7 +42,8 @@ pub struct Rendered {
 /// The result is the same bits for any number of them, and a part's pixels are those of the whole picture.
 pub fn render(world: &World, options: &Options, observer: &dyn Observer) -> Rendered {
     let mut prepared = Prepared::new(world, options);
-    let before = pretrace(&mut prepared, observer);
+    let shot = shoot(&mut prepared, observer);
+    let before = pretrace(&mut prepared, observer).plus(shot);
     observer.entered(Stage::Picture);
     let work = Work { prepared: &prepared, observer };
     let with_before = |rendered: Rendered| {

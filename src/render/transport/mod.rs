@@ -6,11 +6,13 @@
 mod air;
 mod dispersion;
 mod irradiance;
+mod photon;
 mod secondary;
 mod surface;
 mod told;
 
 pub(super) use air::escaped;
+pub(super) use photon::{Arrived, Flight};
 pub(super) use told::{Story, told};
 
 use super::environment;

@@ -4,7 +4,6 @@
 
 use super::dispersion;
 use crate::compiled::World;
-use crate::compiled::geometry::RayKind;
 use crate::compiled::texture::Finish;
 use crate::math::{DVec3, Rgb, gray};
 use crate::render::film::Term;
@@ -106,10 +105,7 @@ impl Refraction {
         let beyond = |direction: DVec3, wavelength: Option<f64>| {
             let level = vertex.path.level + u32::from(self.bend != Bend::Straight);
             let (ray, range) = vertex.leave(direction);
-            let kind = match vertex.path.kind {
-                kind @ (RayKind::Reflected | RayKind::Radiosity) => kind,
-                _ => RayKind::Refracted,
-            };
+            let kind = vertex.path.kind.transmitted();
             let bounce = vertex.path.bounce;
             Path { ray, range, bounce, kind, level, weight, interiors: self.interiors.clone(), wavelength, random }
         };
@@ -166,7 +162,7 @@ pub(super) fn mirrored(vertex: &Vertex<'_>, normal: DVec3, weight: f32, random: 
         ray,
         range,
         bounce: vertex.path.bounce,
-        kind: if vertex.path.bounce > 0 { RayKind::Radiosity } else { RayKind::Reflected },
+        kind: vertex.path.kind.mirrored(),
         level: vertex.path.level + 1,
         weight,
         interiors: vertex.interiors().clone(),

@@ -6,7 +6,7 @@ use super::irradiance::Indirect;
 use super::secondary::Boundary;
 use crate::math::{Color, DVec3, Rgb, gray};
 use crate::render::film::{Gather, Term};
-use crate::render::light::{ArrivingLight, direct_light};
+use crate::render::light::{ArrivingLight, Caustics, direct_light};
 use crate::render::medium::inside_of;
 use crate::render::radiance::Radiance;
 use crate::render::random::{Branch, Random};
@@ -81,6 +81,7 @@ pub(super) fn shade<'t, G: Gather>(
     let mut albedo = Rgb::ZERO;
     let mut top_normal = vertex.facing;
     let mut indirect = Indirect::default();
+    let mut caustics = Caustics::default();
     let wants_lights = worker.wants_lights(vertex.path);
     for (depth, layer) in layers.iter().enumerate() {
         if share(filter) <= bailout {
@@ -112,7 +113,11 @@ pub(super) fn shade<'t, G: Gather>(
         let direct =
             if finish.uses_lights && wants_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
         shaded.found.add_own(filter, emission, direct);
-        if worker.prepared.radiosity.is_some() {
+        if wants_lights && let Some(caught) = &worker.prepared.photons {
+            let light = caustics.reflected(worker, caught, vertex, &lit);
+            shaded.found.add(Term::Caustics, Radiance::opaque(filter * light));
+        }
+        if worker.prepared.radiosity.is_some() && !vertex.path.kind.is_photon() {
             let light = indirect.reflected(worker, vertex, &lit, filter);
             shaded.found.add(Term::Indirect, Radiance::opaque(filter * light));
         }
