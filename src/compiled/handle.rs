@@ -242,6 +242,6 @@ mod tests {
     #[test]
     fn options_of_handles_take_no_room() {
         assert_eq!(size_of::<Option<NodeId>>(), 4);
-        assert_eq!(size_of::<crate::compiled::geometry::Appearance>(), 36);
+        assert_eq!(size_of::<crate::compiled::geometry::Appearance>(), 40);
     }
 }

@@ -13,7 +13,7 @@ use crate::compiled::texture::Frame;
 use crate::math::Rgb;
 use crate::render::film::Term;
 use crate::render::light::{ArrivingLight, surface_transmittance};
-use crate::render::medium::Passage;
+use crate::render::medium::{Passage, inside_of};
 use crate::render::path::Path;
 use crate::render::photons::Photon;
 use crate::render::radiance::{Mix, Radiance};
@@ -91,7 +91,7 @@ impl Flight<'_> {
             return;
         }
         arrived.met_target = true;
-        leg.color *= through_media(worker, &leg.path, hit.t);
+        leg.color *= faded(worker, &leg.path, &surface, hit.t) * through_media(worker, &leg.path, hit.t);
         if leg.is_past && role.collects() {
             arrived.photons.extend(self.photon(&leg, &surface));
         }
@@ -117,7 +117,8 @@ impl Flight<'_> {
         role: &PhotonRole,
     ) -> Vec<(Path, Rgb)> {
         let world = worker.world();
-        let vertex = Vertex::new(&leg.path, hit.t, surface);
+        // What fades on the way is gone already: from here no way lies behind.
+        let vertex = Vertex::new(&leg.path, 0.0, surface);
         let mut context = context(surface, vertex.view(), vertex.facing);
         let mut lookup = Lookup { context: &mut context, lane: None };
         let mut all = Legs::default();
@@ -180,6 +181,15 @@ fn straight_on(worker: &mut Worker<'_>, leg: &Leg, hit: &Hit, surface: &Surface)
     let level = leg.path.level + 1;
     let path = Path { ray, range, level, interiors, ..leg.path.clone() };
     Leg { path, color: leg.color * through, ..*leg }
+}
+
+/// What is left of light that comes to a surface from within its object.
+fn faded(worker: &Worker<'_>, path: &Path, surface: &Surface, length: f64) -> Rgb {
+    let world = worker.world();
+    match world.interior(surface.interior.interior).fade {
+        Some(fade) if path.interiors.hold(&inside_of(world, surface)) => fade.transmittance(length),
+        _ => Rgb::ONE,
+    }
 }
 
 /// What the media of the objects let through that a photon is inside of.
