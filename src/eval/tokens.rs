@@ -1,7 +1,7 @@
 //! The token interface that block parsers read from.
 
-use super::value::Value;
 use super::Evaluator;
+use super::value::Value;
 use crate::diag::{SourceResult, Span};
 use crate::syntax::{Keyword, Token, TokenKind};
 

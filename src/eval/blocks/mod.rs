@@ -24,12 +24,17 @@ mod pigment;
 mod settings;
 mod shape;
 mod spline;
+mod table;
+#[cfg(test)]
+mod tests;
 mod texture;
 
 pub use camera::CameraStatement;
 pub use defaults::Defaults;
 pub use layers::Material;
 pub(super) use object::is_object_keyword;
+pub use table::Described;
+pub(super) use table::{Table, with_words};
 
 use super::{Evaluator, Value};
 use crate::diag::{SourceResult, Topic};
@@ -37,6 +42,26 @@ use crate::scene::{Blend, MapEntry};
 use crate::syntax::Keyword as K;
 use std::rc::Rc;
 use std::sync::Arc;
+
+/// All tables.
+static TABLES: &[&dyn Table] = &[
+    &atmosphere::FOG,
+    &atmosphere::RAINBOW,
+    &camera::CAMERA_TYPES,
+    &camera::CAMERA,
+    &finish::FINISH,
+    &finish::IRID,
+    &finish::REFLECTION,
+    &finish::SUBSURFACE,
+    &image::MAPPING,
+    &interior::INTERIOR,
+    &interior::MEDIA,
+];
+
+/// Blocks by their names, with the words that they take.
+pub fn described() -> impl Iterator<Item = (&'static str, Vec<Described>)> {
+    TABLES.iter().map(|table| (table.name(), table.words()))
+}
 
 impl Evaluator<'_> {
     /// One item of the scene level, if one comes next.
