@@ -16,7 +16,7 @@ const VERSION_WITH_MEDIA_METHOD_3: u32 = 350;
 pub(super) static INTERIOR: Block<Interior> = Block::new(
     "interior",
     &[
-        Item::new(K::Ior, Takes::Float(|i| &mut i.ior), "1", "how strongly light is bent; 1.5 for glass"),
+        Item::new(K::Ior, Takes::Float(|i| &mut i.ior), "", "how strongly light is bent; 1.5 for glass"),
         Item::new(K::Caustics, Takes::Float(|i| &mut i.caustics), "0", "strength of faked caustics"),
         Item::since(350, K::Dispersion, Takes::Float(|i| &mut i.dispersion), "1", "ior of violet by that of red light"),
         Item::since(

@@ -231,10 +231,17 @@ pub(in crate::eval) fn with_words(
     found: Option<&str>,
 ) -> Vec<Diagnostic> {
     if let Some(error) = errors.first_mut() {
-        match found.and_then(|word| meant_in(table, word)) {
-            Some(meant) => error.hints = vec![meant],
-            None if error.hints.is_empty() => error.hints.push(words_of(table)),
-            None => {}
+        if let Some(meant) = found.and_then(|word| meant_in(table, word)) {
+            error.hints = vec![meant];
+        }
+        // Words of the language that only other blocks take help nobody.
+        error.hints.retain(|hint| {
+            let word = hint.strip_prefix("did you mean '").and_then(|rest| rest.split('\'').next());
+            let keyword = word.filter(|word| Keyword::from_word(word).is_some());
+            keyword.is_none_or(|keyword| table.words().iter().any(|described| described.word == keyword))
+        });
+        if error.hints.is_empty() {
+            error.hints.push(words_of(table));
         }
     }
     errors
