@@ -386,7 +386,7 @@ mod tests {
         check("1+a", "1 +a");
         check("1=a", "1 =a");
         check("a&1*b", "(a&1) *b");
-        check("a+1", "no operand");
+        check("a+1", "no operand 1");
     }
 
     #[test]

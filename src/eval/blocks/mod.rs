@@ -56,6 +56,8 @@ static TABLES: &[&dyn Table] = &[
     &image::MAPPING,
     &interior::INTERIOR,
     &interior::MEDIA,
+    &light::LIGHT_SOURCE,
+    &settings::GLOBAL_SETTINGS,
 ];
 
 /// Blocks by their names, with the words that they take.
@@ -112,7 +114,7 @@ impl Evaluator<'_> {
                 let media = self.media_block()?;
                 self.scene.media.push(media);
             }
-            K::MaxTraceLevel | K::MaxIntersections => return self.setting(),
+            K::MaxTraceLevel | K::MaxIntersections => return self.item_of(&settings::GLOBAL_SETTINGS, &mut ()),
             _ => return Ok(false),
         }
         Ok(true)

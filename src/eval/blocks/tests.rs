@@ -52,6 +52,8 @@ fn defaults_are_what_holds_without_them() {
     defaults_hold("camera", "camera", "", |scene| format!("{:?}", scene.camera));
     defaults_hold("interior", "sphere { 0, 1 interior", "}", |scene| format!("{:?}", scene.objects[0].interior));
     defaults_hold("media", "media", "", |scene| format!("{:?}", scene.media));
+    let settings = |scene: &Scene| format!("{:?}", scene.settings);
+    defaults_hold("global_settings", "global_settings", "", settings);
     defaults_hold("fog", "fog", "", |scene| format!("{:?}", scene.fogs));
 }
 
