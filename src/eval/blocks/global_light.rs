@@ -2,14 +2,237 @@
 //!
 //! Unlike in most blocks, POV-Ray takes no commas between these settings, and neither is one taken here.
 
+use super::table::{Block, Item, Takes, Word};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
-use crate::scene::{GatherRadius, PhotonFile, Photons, Radiosity};
+use crate::scene::{GatherRadius, PhotonFile, Photons, Radiosity, Subsurface};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
 /// Before this version the block alone did not switch radiosity on.
 const VERSION_WITH_RADIOSITY_ON: u32 = 350;
+
+const ABOVE_0: Rule = ("above 0", |v| v > 0.0);
+const FRACTION: Rule = ("above 0 and at most 1", |v| v > 0.0 && v <= 1.0);
+const TO_20: Rule = ("1 to 20", |v| (1.0..21.0).contains(&v));
+
+/// What a number must be, in words.
+type Rule = (&'static str, fn(f64) -> bool);
+
+pub(super) static RADIOSITY: Block<Radiosity> = Block::new(
+    "radiosity",
+    &[
+        Item::new(
+            K::Count,
+            Takes::Other("INTEGER [, INTEGER]", sample_directions),
+            "35",
+            "rays by which light is gathered at a place; and directions that they are chosen from",
+        ),
+        Item::new(
+            K::NearestCount,
+            Takes::Other("INTEGER [, INTEGER]", nearest_count),
+            "5",
+            "places that are blended; and how many are enough for the pretrace",
+        ),
+        Item::new(
+            K::ErrorBound,
+            Takes::Other("FLOAT", |e, r, at| ruled(e, at, ABOVE_0).map(|v| r.error_bound = v)),
+            "1.8",
+            "how far a place serves its neighbours; smaller is finer",
+        ),
+        Item::new(
+            K::LowErrorFactor,
+            Takes::Other("FLOAT", |e, r, at| ruled(e, at, ABOVE_0).map(|v| r.low_error_factor = v)),
+            "0.5",
+            "factor of error_bound in the pretrace",
+        ),
+        Item::new(
+            K::MinimumReuse,
+            Takes::Other("FLOAT", |e, r, at| {
+                ruled(e, at, ("at least 0", |v| v >= 0.0)).map(|v| r.minimum_reuse = Some(v))
+            }),
+            "",
+            "smallest reach of a place, as a share of the picture's width",
+        ),
+        Item::since(
+            370,
+            K::MaximumReuse,
+            Takes::Other("FLOAT", |e, r, at| ruled(e, at, ABOVE_0).map(|v| r.maximum_reuse = Some(v))),
+            "",
+            "largest reach of a place, as a share of the picture's width",
+        ),
+        Item::new(
+            K::PretraceStart,
+            Takes::Other("FLOAT", |e, r, at| ruled(e, at, FRACTION).map(|v| r.pretrace_start = v)),
+            "0.08",
+            "size of blocks in the first pass, as a share of the picture's width",
+        ),
+        Item::new(
+            K::PretraceEnd,
+            Takes::Other("FLOAT", |e, r, at| ruled(e, at, FRACTION).map(|v| r.pretrace_end = v)),
+            "0.04",
+            "size of blocks in the last pass",
+        ),
+        Item::new(
+            K::RecursionLimit,
+            Takes::Other("INTEGER", |e, r, at| ruled(e, at, TO_20).map(|v| r.recursion_limit = v as u32)),
+            "2",
+            "how often light is scattered",
+        ),
+        Item::new(
+            K::Brightness,
+            Takes::Other("FLOAT", |e, r, at| ruled(e, at, ABOVE_0).map(|v| r.brightness = v)),
+            "1",
+            "factor of the light that is gathered",
+        ),
+        Item::new(
+            K::GrayThreshold,
+            Takes::Other("FLOAT", |e, r, at| {
+                ruled(e, at, ("0 to 1", |v| (0.0..=1.0).contains(&v))).map(|v| r.gray_threshold = v)
+            }),
+            "0",
+            "how much colours of gathered light are turned grey",
+        ),
+        Item::new(
+            K::MaxSample,
+            Takes::Other("FLOAT", |e, r, _| {
+                r.max_sample = Some(e.float()?).filter(|v| *v > 0.0);
+                Ok(())
+            }),
+            "-1",
+            "brightest colour that a ray may bring, if above 0",
+        ),
+        Item::new(
+            K::AdcBailout,
+            Takes::Other("FLOAT", |e, r, at| ruled(e, at, ABOVE_0).map(|v| r.adc_bailout = v)),
+            "0.01",
+            "share of light below which it is not followed",
+        ),
+        Item::new(
+            K::AlwaysSample,
+            Takes::Other("BOOL", |e, r, _| switch(e).map(|on| r.always_sample = on)),
+            "off",
+            "whether light is gathered behind the pretrace",
+        ),
+        Item::new(
+            K::Normal,
+            Takes::Other("BOOL", |e, r, _| switch(e).map(|on| r.normal = on)),
+            "off",
+            "whether bumps count",
+        ),
+        Item::since(
+            350,
+            K::Media,
+            Takes::Other("BOOL", |e, r, _| switch(e).map(|on| r.media = on)),
+            "off",
+            "whether media count",
+        ),
+        Item::since(
+            370,
+            K::Subsurface,
+            Takes::Other("BOOL", |e, r, _| switch(e).map(|on| r.subsurface = on)),
+            "off",
+            "whether it lights subsurface materials",
+        ),
+        Item::new(K::LoadFile, Takes::Other("STRING", other_file), "", "without effect in a scene"),
+        Item::new(K::SaveFile, Takes::Other("STRING", other_file), "", "without effect in a scene"),
+    ],
+);
+
+pub(super) static PHOTONS: Block<Photons> = Block::new(
+    "photons",
+    &[
+        Item::new(K::Spacing, Takes::Float(|p| &mut p.spacing), "1", "distance between photons on targets"),
+        Item::new(
+            K::Count,
+            Takes::Other("INTEGER", |e, p, _| {
+                p.count = Some(e.float()? as u32).filter(|n| *n > 0);
+                Ok(())
+            }),
+            "0",
+            "how many are shot, instead of spacing",
+        ),
+        Item::new(
+            K::Gather,
+            Takes::Other("INTEGER, INTEGER", gathered),
+            "20, 100",
+            "photons that are put together, at least and at most",
+        ),
+        Item::new(
+            K::Media,
+            Takes::Other("INTEGER [, FLOAT]", photon_media),
+            "",
+            "steps in media, and factor of the distance between them",
+        ),
+        Item::new(K::Jitter, Takes::Float(|p| &mut p.jitter), "0.4", "how much directions are moved at random"),
+        Item::new(
+            K::MaxTraceLevel,
+            Takes::Other("INTEGER", |e, p, _| {
+                p.max_trace_level = Some(e.float()?.trunc()).filter(|v| *v >= 0.0).map(|v| v as u32);
+                Ok(())
+            }),
+            "-1",
+            "how often photons are mirrored or bent, if 0 or more",
+        ),
+        Item::new(
+            K::AdcBailout,
+            Takes::Other("FLOAT", |e, p, _| {
+                p.adc_bailout = Some(e.float()?).filter(|v| *v >= 0.0);
+                Ok(())
+            }),
+            "-1",
+            "share of light below which photons are not followed, if 0 or more",
+        ),
+        Item::new(
+            K::Autostop,
+            Takes::Float(|p| &mut p.autostop),
+            "0.5",
+            "share of a target's directions that is tried before shooting may end without a hit",
+        ),
+        Item::new(
+            K::ExpandThresholds,
+            Takes::Other("FLOAT, INTEGER", expand_thresholds),
+            "0.2, 35",
+            "increase of density at which the radius grows on, and photons below which it does",
+        ),
+        Item::new(
+            K::Radius,
+            Takes::Other("[FLOAT] [, FLOAT] [, FLOAT] [, FLOAT]", gather_radii),
+            "",
+            "how far photons are gathered, and its factor; the same in media",
+        ),
+        Item::new(K::SaveFile, Takes::Other("STRING", photon_file), "", "where photons are saved"),
+        Item::new(
+            K::LoadFile,
+            Takes::Other("STRING", photon_file),
+            "",
+            "where photons come from instead of being shot",
+        ),
+    ],
+);
+
+pub(super) static SUBSURFACE: Block<Subsurface> = Block::new(
+    "subsurface",
+    &[
+        Item::new(
+            K::Samples,
+            Takes::Other("INTEGER, INTEGER", |e, s, _| {
+                let often = e.integer()?;
+                e.comma()?;
+                s.samples = [often, e.integer()?].map(up_to_u32);
+                Ok(())
+            }),
+            "50, 50",
+            "samples of light that is scattered often, and once",
+        ),
+        Item::new(
+            K::Radiosity,
+            Takes::Other("BOOL", |e, s, _| switch(e).map(|on| s.radiosity = on)),
+            "off",
+            "whether it is lit by radiosity",
+        ),
+    ],
+);
 
 impl Evaluator<'_> {
     /// `{ … }` after `radiosity`; goes on from earlier blocks.
@@ -21,82 +244,9 @@ impl Evaluator<'_> {
         }
         let mut radiosity = self.scene.settings.radiosity.take().unwrap_or_default();
         radiosity.span = span;
-        while let Some(keyword) = self.keyword()? {
-            if !self.radiosity_setting(keyword, &mut radiosity)? {
-                break;
-            }
-        }
-        self.close("radiosity")?;
+        while self.item_of(&RADIOSITY, &mut radiosity)? {}
+        self.close_of(&RADIOSITY)?;
         self.scene.settings.radiosity = Some(radiosity);
-        Ok(())
-    }
-
-    fn radiosity_setting(&mut self, keyword: K, radiosity: &mut Radiosity) -> SourceResult<bool> {
-        const ABOVE_0: &str = "above 0";
-        const FRACTION: &str = "above 0 and at most 1";
-        let positive = |v: f64| v > 0.0;
-        let fraction = |v: f64| v > 0.0 && v <= 1.0;
-        match keyword {
-            K::Count => self.sample_directions(radiosity)?,
-            K::NearestCount => self.nearest_count(radiosity)?,
-            K::ErrorBound => radiosity.error_bound = self.ruled(ABOVE_0, positive)?,
-            K::LowErrorFactor => radiosity.low_error_factor = self.ruled(ABOVE_0, positive)?,
-            K::MinimumReuse => radiosity.minimum_reuse = Some(self.ruled("at least 0", |v| v >= 0.0)?),
-            K::MaximumReuse => radiosity.maximum_reuse = Some(self.ruled(ABOVE_0, positive)?),
-            K::PretraceStart => radiosity.pretrace_start = self.ruled(FRACTION, fraction)?,
-            K::PretraceEnd => radiosity.pretrace_end = self.ruled(FRACTION, fraction)?,
-            K::RecursionLimit => {
-                radiosity.recursion_limit = self.ruled("1 to 20", |v| (1.0..21.0).contains(&v))? as u32;
-            }
-            K::Brightness => radiosity.brightness = self.ruled(ABOVE_0, positive)?,
-            K::GrayThreshold => radiosity.gray_threshold = self.ruled("0 to 1", |v| (0.0..=1.0).contains(&v))?,
-            K::MaxSample => {
-                self.next()?;
-                radiosity.max_sample = Some(self.float()?).filter(|v| positive(*v));
-            }
-            K::AdcBailout => radiosity.adc_bailout = self.ruled(ABOVE_0, positive)?,
-            K::AlwaysSample => radiosity.always_sample = self.switch()?,
-            K::Normal => radiosity.normal = self.switch()?,
-            K::Media => radiosity.media = self.switch()?,
-            K::Subsurface => radiosity.subsurface = self.switch()?,
-            K::LoadFile | K::SaveFile => {
-                let span = self.next()?.span;
-                self.string()?;
-                let message = format!("{} of radiosity has no effect in a scene", keyword.word());
-                self.warn(Topic::Ignored, span, message);
-            }
-            _ => return Ok(false),
-        }
-        Ok(true)
-    }
-
-    /// `count RAYS [, DIRECTIONS]`.
-    fn sample_directions(&mut self, radiosity: &mut Radiosity) -> SourceResult<()> {
-        let span = self.span();
-        radiosity.count = self.ruled("at least 1", |v| v >= 1.0)? as u32;
-        radiosity.directions = radiosity.count.max(1600);
-        if self.starts_another()? {
-            let directions = self.integer()?;
-            if directions < i64::from(radiosity.count) {
-                return self.error(span, "count of radiosity takes no more rays than directions");
-            }
-            radiosity.directions = up_to_u32(directions);
-        }
-        Ok(())
-    }
-
-    /// `nearest_count SAMPLES [, ENOUGH]`.
-    fn nearest_count(&mut self, radiosity: &mut Radiosity) -> SourceResult<()> {
-        let span = self.span();
-        radiosity.nearest_count = self.ruled("1 to 20", |v| (1.0..21.0).contains(&v))? as u32;
-        radiosity.enough_for_pretrace = 0;
-        if self.starts_another()? {
-            let enough = self.integer()?;
-            if !(0..i64::from(radiosity.nearest_count)).contains(&enough) {
-                return self.error(span, "the second number of nearest_count must be 0 or more and below the first");
-            }
-            radiosity.enough_for_pretrace = enough as u32;
-        }
         Ok(())
     }
 
@@ -128,12 +278,8 @@ impl Evaluator<'_> {
     pub(super) fn photon_settings(&mut self, span: Span) -> SourceResult<()> {
         self.open("photons")?;
         let mut photons = Photons { span, ..Photons::default() };
-        while let Some(keyword) = self.keyword()? {
-            if !self.photon_setting(keyword, &mut photons)? {
-                break;
-            }
-        }
-        self.close("photons")?;
+        while self.item_of(&PHOTONS, &mut photons)? {}
+        self.close_of(&PHOTONS)?;
         let gathers = photons.gather[1] > 0;
         if !gathers {
             self.warn_here(Topic::Range, span, "photons are switched off, since none are to be gathered");
@@ -142,142 +288,15 @@ impl Evaluator<'_> {
         Ok(())
     }
 
-    fn photon_setting(&mut self, keyword: K, photons: &mut Photons) -> SourceResult<bool> {
-        let span = self.span();
-        match keyword {
-            K::Spacing => photons.spacing = self.value()?,
-            K::Jitter => photons.jitter = self.value()?,
-            K::Autostop => photons.autostop = self.value()?,
-            K::Count => photons.count = Some(self.value()? as u32).filter(|n| *n > 0),
-            K::AdcBailout => photons.adc_bailout = Some(self.value()?).filter(|v| *v >= 0.0),
-            K::MaxTraceLevel => {
-                photons.max_trace_level = Some(self.value()?.trunc()).filter(|v| *v >= 0.0).map(|v| v as u32);
-            }
-            K::Gather => photons.gather = self.gathered()?,
-            K::Radius => self.gather_radii(photons)?,
-            K::ExpandThresholds => self.expand_thresholds(photons)?,
-            K::Media => {
-                let steps = self.value()?.trunc();
-                if steps < 0.0 {
-                    return self.error(span, "media of photons takes 0 steps or more");
-                }
-                photons.media_steps = steps as u32;
-                if self.starts_another()? {
-                    photons.media_factor = self.float()?;
-                }
-                if photons.media_factor.is_nan() || photons.media_factor <= 0.0 {
-                    return self.error(span, "the second number of photons' media must be above 0");
-                }
-            }
-            K::SaveFile | K::LoadFile => self.photon_file(keyword, photons)?,
-            _ => return Ok(false),
-        }
-        Ok(true)
-    }
-
-    /// `gather LEAST, LARGEST`.
-    fn gathered(&mut self) -> SourceResult<[u32; 2]> {
-        let span = self.span();
-        let least = self.value()?.trunc();
-        self.comma()?;
-        let largest = self.float()?.trunc();
-        if least < 0.0 {
-            return self.error(span, "the first number of gather must be 0 or more");
-        }
-        if least > largest {
-            return self.error(span, "the first number of gather must not be above the second");
-        }
-        Ok([least as u32, largest as u32])
-    }
-
-    /// `radius [SURFACES] [, FACTOR] [, MEDIA] [, FACTOR]`; each may be left out.
-    fn gather_radii(&mut self, photons: &mut Photons) -> SourceResult<()> {
-        self.next()?;
-        let mut given = [None; 4];
-        for (i, number) in given.iter_mut().enumerate() {
-            if i > 0 {
-                self.comma()?;
-            }
-            if self.starts_expression()? {
-                *number = Some(self.float()?);
-            }
-        }
-        let radius = |length: Option<f64>, factor: Option<f64>| GatherRadius {
-            length: length.filter(|v| *v > 0.0),
-            factor: factor.unwrap_or(1.0),
-        };
-        photons.surface_radius = radius(given[0], given[1]);
-        photons.media_radius = radius(given[2], given[3]);
-        Ok(())
-    }
-
-    /// `expand_thresholds INCREASE, MINIMUM`.
-    fn expand_thresholds(&mut self, photons: &mut Photons) -> SourceResult<()> {
-        let span = self.span();
-        let increase = self.value()?;
-        self.comma()?;
-        let minimum = self.float()?.trunc();
-        if increase < 0.0 || minimum < 0.0 {
-            self.warn(Topic::Range, span, "numbers of expand_thresholds below 0 are taken for 0");
-        }
-        photons.expand_increase = increase.max(0.0);
-        photons.expand_minimum = minimum as u32;
-        Ok(())
-    }
-
-    /// `save_file NAME` or `load_file NAME`.
-    fn photon_file(&mut self, keyword: K, photons: &mut Photons) -> SourceResult<()> {
-        let span = self.next()?.span;
-        let name: Arc<str> = (&*self.string()?).into();
-        let (file, other) = match keyword {
-            K::SaveFile => (PhotonFile::Save(name), matches!(photons.file, Some(PhotonFile::Load(_)))),
-            _ => (PhotonFile::Load(name), matches!(photons.file, Some(PhotonFile::Save(_)))),
-        };
-        if other {
-            let message = format!("photons are either saved or loaded; this {} is what counts", keyword.word());
-            self.warn(Topic::Ignored, span, message);
-        }
-        photons.file = Some(file);
-        Ok(())
-    }
-
     /// `{ … }` after `subsurface`; goes on from earlier blocks.
     pub(super) fn subsurface_settings(&mut self, span: Span) -> SourceResult<()> {
         self.open("subsurface")?;
         let mut subsurface = self.scene.settings.subsurface.unwrap_or_default();
         subsurface.span = span;
-        loop {
-            if self.accept(K::Samples)? {
-                let often = self.integer()?;
-                self.comma()?;
-                subsurface.samples = [often, self.integer()?].map(up_to_u32);
-            } else if self.keyword()? == Some(K::Radiosity) {
-                subsurface.radiosity = self.switch()?;
-            } else {
-                break;
-            }
-        }
-        self.close("subsurface")?;
+        while self.item_of(&SUBSURFACE, &mut subsurface)? {}
+        self.close_of(&SUBSURFACE)?;
         self.scene.settings.subsurface = Some(subsurface);
         Ok(())
-    }
-
-    /// The number after a word.
-    fn value(&mut self) -> SourceResult<f64> {
-        self.next()?;
-        self.float()
-    }
-
-    /// The number after a word, which must be as the words of `rule` say.
-    fn ruled(&mut self, rule: &str, holds: impl Fn(f64) -> bool) -> SourceResult<f64> {
-        let (span, word) = (self.span(), self.keyword()?.map_or("", K::word));
-        let value = self.value()?;
-        if holds(value) { Ok(value) } else { self.error(span, format!("{word} of radiosity must be {rule}")) }
-    }
-
-    /// `on`, `off` or a number after a word; numbers count as POV-Ray counts them here, without their fraction.
-    fn switch(&mut self) -> SourceResult<bool> {
-        Ok(self.value()?.trunc() != 0.0)
     }
 
     /// Whether another number follows, past a comma if there is one.
@@ -285,6 +304,133 @@ impl Evaluator<'_> {
         self.comma()?;
         self.starts_expression()
     }
+}
+
+/// `count RAYS [, DIRECTIONS]`.
+fn sample_directions(e: &mut Evaluator<'_>, radiosity: &mut Radiosity, at: Word) -> SourceResult<()> {
+    radiosity.count = ruled(e, at, ("at least 1", |v| v >= 1.0))? as u32;
+    radiosity.directions = radiosity.count.max(1600);
+    if e.starts_another()? {
+        let directions = e.integer()?;
+        if directions < i64::from(radiosity.count) {
+            return e.error(at.span, "count of radiosity takes no more rays than directions");
+        }
+        radiosity.directions = up_to_u32(directions);
+    }
+    Ok(())
+}
+
+/// `nearest_count SAMPLES [, ENOUGH]`.
+fn nearest_count(e: &mut Evaluator<'_>, radiosity: &mut Radiosity, at: Word) -> SourceResult<()> {
+    radiosity.nearest_count = ruled(e, at, TO_20)? as u32;
+    radiosity.enough_for_pretrace = 0;
+    if e.starts_another()? {
+        let enough = e.integer()?;
+        if !(0..i64::from(radiosity.nearest_count)).contains(&enough) {
+            return e.error(at.span, "the second number of nearest_count must be 0 or more and below the first");
+        }
+        radiosity.enough_for_pretrace = enough as u32;
+    }
+    Ok(())
+}
+
+/// `gather LEAST, LARGEST`.
+fn gathered(e: &mut Evaluator<'_>, photons: &mut Photons, at: Word) -> SourceResult<()> {
+    let least = e.float()?.trunc();
+    e.comma()?;
+    let largest = e.float()?.trunc();
+    if least < 0.0 {
+        return e.error(at.span, "the first number of gather must be 0 or more");
+    }
+    if least > largest {
+        return e.error(at.span, "the first number of gather must not be above the second");
+    }
+    photons.gather = [least as u32, largest as u32];
+    Ok(())
+}
+
+/// `radius [SURFACES] [, FACTOR] [, MEDIA] [, FACTOR]`; each may be left out.
+fn gather_radii(e: &mut Evaluator<'_>, photons: &mut Photons, _: Word) -> SourceResult<()> {
+    let mut given = [None; 4];
+    for (i, number) in given.iter_mut().enumerate() {
+        if i > 0 {
+            e.comma()?;
+        }
+        if e.starts_expression()? {
+            *number = Some(e.float()?);
+        }
+    }
+    let radius = |length: Option<f64>, factor: Option<f64>| GatherRadius {
+        length: length.filter(|v| *v > 0.0),
+        factor: factor.unwrap_or(1.0),
+    };
+    photons.surface_radius = radius(given[0], given[1]);
+    photons.media_radius = radius(given[2], given[3]);
+    Ok(())
+}
+
+/// `expand_thresholds INCREASE, MINIMUM`.
+fn expand_thresholds(e: &mut Evaluator<'_>, photons: &mut Photons, at: Word) -> SourceResult<()> {
+    let increase = e.float()?;
+    e.comma()?;
+    let minimum = e.float()?.trunc();
+    if increase < 0.0 || minimum < 0.0 {
+        e.warn(Topic::Range, at.span, "numbers of expand_thresholds below 0 are taken for 0");
+    }
+    photons.expand_increase = increase.max(0.0);
+    photons.expand_minimum = minimum as u32;
+    Ok(())
+}
+
+/// `save_file NAME` or `load_file NAME`.
+fn photon_file(e: &mut Evaluator<'_>, photons: &mut Photons, at: Word) -> SourceResult<()> {
+    let name: Arc<str> = (&*e.string()?).into();
+    let (file, other) = match at.word {
+        K::SaveFile => (PhotonFile::Save(name), matches!(photons.file, Some(PhotonFile::Load(_)))),
+        _ => (PhotonFile::Load(name), matches!(photons.file, Some(PhotonFile::Save(_)))),
+    };
+    if other {
+        let message = format!("photons are either saved or loaded; this {} is what counts", at.word.word());
+        e.warn(Topic::Ignored, at.span, message);
+    }
+    photons.file = Some(file);
+    Ok(())
+}
+
+/// `media STEPS [, FACTOR]`.
+fn photon_media(e: &mut Evaluator<'_>, photons: &mut Photons, at: Word) -> SourceResult<()> {
+    let steps = e.float()?.trunc();
+    if steps < 0.0 {
+        return e.error(at.span, "media of photons takes 0 steps or more");
+    }
+    photons.media_steps = steps as u32;
+    if e.starts_another()? {
+        photons.media_factor = e.float()?;
+    }
+    if photons.media_factor.is_nan() || photons.media_factor <= 0.0 {
+        return e.error(at.span, "the second number of photons' media must be above 0");
+    }
+    Ok(())
+}
+
+/// A file that radiosity is kept in by other means.
+fn other_file(e: &mut Evaluator<'_>, _: &mut Radiosity, at: Word) -> SourceResult<()> {
+    e.string()?;
+    let message = format!("{} of radiosity has no effect in a scene", at.word.word());
+    e.warn(Topic::Ignored, at.span, message);
+    Ok(())
+}
+
+/// The number behind a word of radiosity.
+fn ruled(e: &mut Evaluator<'_>, at: Word, (rule, holds): Rule) -> SourceResult<f64> {
+    let value = e.float()?;
+    let word = at.word.word();
+    if holds(value) { Ok(value) } else { e.error(at.span, format!("{word} of radiosity must be {rule}")) }
+}
+
+/// `on`, `off` or a number behind a word; numbers count as POV-Ray counts them here, without their fraction.
+fn switch(e: &mut Evaluator<'_>) -> SourceResult<bool> {
+    Ok(e.float()?.trunc() != 0.0)
 }
 
 /// As many as there can be.

@@ -54,6 +54,9 @@ fn defaults_are_what_holds_without_them() {
     defaults_hold("media", "media", "", |scene| format!("{:?}", scene.media));
     let settings = |scene: &Scene| format!("{:?}", scene.settings);
     defaults_hold("global_settings", "global_settings", "", settings);
+    for block in ["radiosity", "photons"] {
+        defaults_hold(block, &format!("global_settings {{ {block}"), "}", settings);
+    }
     defaults_hold("fog", "fog", "", |scene| format!("{:?}", scene.fogs));
 }
 
