@@ -5,7 +5,7 @@ use super::progress::{Bar, end_on_interrupt, progress_bar, stop_on_interrupt};
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, explain, fail, frames, messages};
 use crate::imaging::{FileKind, check_writable};
-use crate::job::{Earlier, Exposure, Job, Keeping, Outcome, Output, Session};
+use crate::job::{Earlier, Exposure, Job, Keeping, Outcome, Output, PATIENCE, Session};
 use crate::render::{Antialias, End, ImageLayer, Method, Options, Progress, Region, Target};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -261,6 +261,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         outputs,
         exposure,
         keeping: if arguments.resume { Keeping::Resuming } else { Keeping::New },
+        patience: PATIENCE,
     };
     if let Some(animation) = animation {
         return frames::run(&arguments.scene, &job, &animation, arguments.threads);

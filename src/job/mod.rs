@@ -22,5 +22,5 @@ pub use identity::Identity;
 pub use outcome::{Explanation, Outcome, Ready, Timings};
 pub use sequence::measured_in_order;
 pub use session::Session;
-pub use settings::{Job, Keeping, Output};
+pub use settings::{Job, Keeping, Output, PATIENCE};
 pub use state::Earlier;

@@ -204,7 +204,7 @@ fn state_of(job: &Job, identity: Identity) -> Option<(State, Earlier)> {
         job.outputs.iter().for_each(|output| imaging::sweep(&output.file));
     }
     let path = state::state_file(job.kept_beside()?);
-    Some(State::open(path, identity, job.keeping == Keeping::Resuming))
+    Some(State::open(path, identity, job.keeping == Keeping::Resuming, job.patience))
 }
 
 /// What the file says in words: which picture it is, and how one with a target came about.

@@ -5,6 +5,7 @@ use crate::eval;
 use crate::imaging::{Encoding, FileKind};
 use crate::render;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// One picture of one scene.
 #[derive(Clone, Debug, Default)]
@@ -21,7 +22,13 @@ pub struct Job {
     pub exposure: Exposure,
     /// Whether finished pieces are kept beside the first output while the picture is made.
     pub keeping: Keeping,
+    /// How long a picture takes before its pieces are kept.
+    pub patience: Duration,
 }
+
+/// A patience for people: what is made until then is made again as fast, and to keep it would cost small pictures a tenth of
+/// their time.
+pub const PATIENCE: Duration = Duration::from_millis(500);
 
 /// What becomes of pieces of a picture that is interrupted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

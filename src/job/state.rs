@@ -20,15 +20,14 @@ const COUNTS: usize = 6 * 8;
 const SAMPLE: usize = 4 * 4;
 const CHECKSUM: usize = 8;
 
-/// How long a picture takes before its pieces are kept; what was made until then is made again as fast.
-const PATIENCE: Duration = Duration::from_millis(500);
-
 /// The pieces of one picture.
 #[derive(Debug)]
 pub(super) struct State {
     path: PathBuf,
     known: FxHashMap<Place, Piece>,
     since: Instant,
+    /// How long after that pieces begin to be kept.
+    patience: Duration,
     journal: Mutex<Journal>,
 }
 
@@ -63,8 +62,9 @@ pub enum Earlier {
 }
 
 impl State {
-    /// Takes what an earlier run of the same picture has left if that is wanted; nothing is written before the first piece.
-    pub(super) fn open(path: PathBuf, identity: Identity, resumes: bool) -> (Self, Earlier) {
+    /// Takes what an earlier run of the same picture has left if that is wanted; nothing is written before the first piece
+    /// that is made after the patience.
+    pub(super) fn open(path: PathBuf, identity: Identity, resumes: bool, patience: Duration) -> (Self, Earlier) {
         let head = [WORD, &identity.bytes()[..]].concat();
         let bytes = if resumes { std::fs::read(&path).unwrap_or_default() } else { Vec::new() };
         let (known, valid, earlier) = match bytes.strip_prefix(&head[..]) {
@@ -78,7 +78,7 @@ impl State {
         };
         let waiting = if valid > 0 { Vec::new() } else { head };
         let journal = Journal { valid: valid as u64, waiting, file: None, failed: false };
-        (Self { path, known, since: Instant::now(), journal: Mutex::new(journal) }, earlier)
+        (Self { path, known, since: Instant::now(), patience, journal: Mutex::new(journal) }, earlier)
     }
 
     /// A panic of another thread does not matter to plain data.
@@ -94,7 +94,7 @@ impl State {
 
     /// Whether the picture has taken so long that its pieces are worth more than what it costs to keep them.
     fn keeps(&self) -> bool {
-        self.since.elapsed() >= PATIENCE
+        self.since.elapsed() >= self.patience
     }
 
     fn known(&self, place: Place) -> Option<Piece> {
@@ -231,14 +231,14 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = state_file(&folder.path().join("a.png"));
         let known = Identity::default();
-        let (state, earlier) = State::open(path.clone(), known, true);
+        let (state, earlier) = State::open(path.clone(), known, true, Duration::ZERO);
         assert_eq!(earlier, Earlier::Nothing);
         (0..3).for_each(|x| state.keep(&piece(x)));
         let mut bytes = std::fs::read(&path).unwrap();
         bytes[16] ^= identity;
         change(&mut bytes);
         std::fs::write(&path, bytes).unwrap();
-        let (state, earlier) = State::open(path.clone(), known, true);
+        let (state, earlier) = State::open(path.clone(), known, true, Duration::ZERO);
         assert_eq!(earlier, *expected);
         if let Earlier::Pieces(n) = expected {
             let found = (0..3).filter(|x| state.known(piece(*x).place) == Some(piece(*x))).count();

@@ -11,7 +11,7 @@ use crate::cli::{include_dirs, scene_arguments::days_since_2000};
 use crate::eval::{self, Disk, Reach};
 use crate::imaging::{check_writable, pause_writing, write_whole};
 use crate::job::{
-    Animation, Earlier, Exposure, Job, Keeping, Outcome, Output, Ready, Session, measured_in_order, single,
+    Animation, Earlier, Exposure, Job, Keeping, Outcome, Output, PATIENCE, Ready, Session, measured_in_order, single,
 };
 use crate::render::Options;
 use std::io::{Read as _, Write as _};
@@ -199,6 +199,7 @@ impl<'r> Run<'r> {
             outputs: if settings.to_file { vec![output] } else { Vec::new() },
             exposure: Exposure::default(),
             keeping: if settings.continues { Keeping::Resuming } else { Keeping::New },
+            patience: PATIENCE,
         }
     }
 
