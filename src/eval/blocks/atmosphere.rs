@@ -8,8 +8,9 @@ use crate::scene::{Background, Blend, Fog, Pattern, PatternKind, Pigment, Pigmen
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
-pub(super) static FOG: Block<Fog> = Block::new(
+pub(super) static FOG: Block<Fog> = Block::moved(
     "fog",
+    |_, fog, transform| fog.up = transform.vector(fog.up).normalize_or(DVec3::Y),
     &[
         Item::new(
             K::Distance,
@@ -140,10 +141,6 @@ impl Evaluator<'_> {
         fog.span = span;
         loop {
             self.comma()?;
-            if let Some(transform) = self.transformation()? {
-                fog.up = transform.vector(fog.up).normalize_or(DVec3::Y);
-                continue;
-            }
             let keyword = self.keyword()?;
             if let Some(keyword) = keyword
                 && self.turbulence_item(keyword, &mut fog.turbulence)?

@@ -193,8 +193,18 @@ pub(super) static CAMERA_TYPES: Block<CameraStatement> = Block::new(
     ],
 );
 
-pub(super) static CAMERA: Block<CameraStatement> = Block::new(
+pub(super) static CAMERA: Block<CameraStatement> = Block::moved(
     "camera",
+    |e, camera, transform| {
+        if e.orders_cameras() {
+            camera.location = transform.point(camera.location);
+            for v in [&mut camera.direction, &mut camera.up, &mut camera.right] {
+                *v = transform.vector(*v);
+            }
+        } else {
+            camera.transform = camera.transform.then(transform);
+        }
+    },
     &[
         Item::new(K::Location, Takes::Vector(|c| &mut c.location), "<0, 0, 0>", "where it stands"),
         Item::new(
@@ -393,17 +403,6 @@ impl Evaluator<'_> {
     }
 
     fn camera_item(&mut self, camera: &mut CameraStatement) -> SourceResult<bool> {
-        if let Some(transform) = self.transformation()? {
-            if self.orders_cameras() {
-                camera.location = transform.point(camera.location);
-                for v in [&mut camera.direction, &mut camera.up, &mut camera.right] {
-                    *v = transform.vector(*v);
-                }
-            } else {
-                camera.transform = camera.transform.then(&transform);
-            }
-            return Ok(true);
-        }
         Ok(self.item_of(&CAMERA, camera)? || self.orders_cameras() && self.camera_kind(camera)?)
     }
 

@@ -13,8 +13,9 @@ use std::sync::Arc;
 /// From this language version on, media use the newer defaults.
 const VERSION_WITH_MEDIA_METHOD_3: u32 = 350;
 
-pub(super) static INTERIOR: Block<Interior> = Block::new(
+pub(super) static INTERIOR: Block<Interior> = Block::moved(
     "interior",
+    |_, interior, transform| interior.apply(transform),
     &[
         Item::new(K::Ior, Takes::Float(|i| &mut i.ior), "", "how strongly light is bent; 1.5 for glass"),
         Item::new(K::Caustics, Takes::Float(|i| &mut i.caustics), "0", "strength of faked caustics"),
@@ -60,8 +61,9 @@ pub(super) static INTERIOR: Block<Interior> = Block::new(
     ],
 );
 
-pub(super) static MEDIA: Block<Media> = Block::new(
+pub(super) static MEDIA: Block<Media> = Block::moved(
     "media",
+    |_, media, transform| media.apply(transform),
     &[
         Item::new(K::Absorption, Takes::Rgb(|m| &mut m.absorption), "0", "light that is lost on a way of one unit"),
         Item::new(K::Emission, Takes::Rgb(|m| &mut m.emission), "0", "light that is given off on a way of one unit"),
@@ -171,9 +173,7 @@ impl Evaluator<'_> {
         interior.span = span;
         loop {
             self.comma()?;
-            if let Some(transform) = self.transformation()? {
-                interior.apply(&transform);
-            } else if !self.item_of(&INTERIOR, &mut interior)? {
+            if !self.item_of(&INTERIOR, &mut interior)? {
                 break;
             }
         }
@@ -213,9 +213,7 @@ impl Evaluator<'_> {
         media.span = span;
         loop {
             self.comma()?;
-            if let Some(transform) = self.transformation()? {
-                media.apply(&transform);
-            } else if !self.item_of(&MEDIA, &mut media)? {
+            if !self.item_of(&MEDIA, &mut media)? {
                 break;
             }
         }

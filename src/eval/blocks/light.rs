@@ -20,8 +20,12 @@ pub(super) struct Draft {
     area_illumination: bool,
 }
 
-pub(super) static LIGHT_SOURCE: Block<Draft> = Block::new(
+pub(super) static LIGHT_SOURCE: Block<Draft> = Block::moved(
     "light_source",
+    |_, draft, transform| {
+        draft.light.axis = (draft.light.point_at - draft.light.location).normalize_or(DVec3::Z);
+        draft.light.apply(transform);
+    },
     &[
         Item::new(
             K::Spotlight,
@@ -226,11 +230,6 @@ impl Evaluator<'_> {
 
     fn light_item(&mut self, draft: &mut Draft) -> SourceResult<bool> {
         self.comma()?;
-        if let Some(transform) = self.transformation()? {
-            draft.light.axis = (draft.light.point_at - draft.light.location).normalize_or(DVec3::Z);
-            draft.light.apply(&transform);
-            return Ok(true);
-        }
         self.item_of(&LIGHT_SOURCE, draft)
     }
 

@@ -17,6 +17,7 @@ mod layers;
 mod light;
 mod maps;
 mod mesh;
+mod modifiers;
 mod normal;
 mod object;
 mod pattern;
@@ -59,8 +60,12 @@ static TABLES: &[&dyn Table] = &[
     &image::MAPPING,
     &interior::INTERIOR,
     &interior::MEDIA,
+    &layers::MATERIAL,
     &light::LIGHT_SOURCE,
+    &modifiers::MODIFIERS,
+    &modifiers::PHOTONS,
     &settings::GLOBAL_SETTINGS,
+    &texture::LAYER,
 ];
 
 /// Blocks by their names, with the words that they take.

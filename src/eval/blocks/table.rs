@@ -13,7 +13,7 @@
 
 use crate::diag::{Diagnostic, SourceResult, Span, completed, nearest};
 use crate::eval::Evaluator;
-use crate::math::{DVec3, Rgb};
+use crate::math::{DVec3, Rgb, Transform};
 use crate::syntax::{Keyword, TokenKind};
 
 /// A block that makes a `T`.
@@ -23,7 +23,12 @@ pub(in crate::eval) struct Block<T: 'static> {
     items: &'static [Item<T>],
     /// For each keyword the number of its item, counted from 1.
     numbers: [u8; Keyword::ALL.len()],
+    /// What a transformation does to it, if it takes any.
+    moves: Option<Move<T>>,
 }
+
+/// Moves what a block makes.
+type Move<T> = fn(&Evaluator<'_>, &mut T, &Transform);
 
 /// A word of a block.
 pub(super) struct Item<T> {
@@ -121,7 +126,12 @@ impl<T> Block<T> {
             }
             i += 1;
         }
-        Self { name, items, numbers }
+        Self { name, items, numbers, moves: None }
+    }
+
+    /// Of these words and transformations.
+    pub(super) const fn moved(name: &'static str, moves: Move<T>, items: &'static [Item<T>]) -> Self {
+        Self { moves: Some(moves), ..Self::new(name, items) }
     }
 
     #[inline]
@@ -146,6 +156,33 @@ pub struct Described {
     pub help: &'static str,
 }
 
+/// Words that every block takes which can be moved.
+const TRANSFORMATIONS: &[Described] = &[
+    Described { word: "translate", takes: "VECTOR", default: "", since: 0, help: "moves it" },
+    Described {
+        word: "rotate",
+        takes: "VECTOR",
+        default: "",
+        since: 0,
+        help: "turns it about x, then y, then z, in degrees",
+    },
+    Described { word: "scale", takes: "VECTOR", default: "", since: 0, help: "stretches it along the axes" },
+    Described {
+        word: "matrix",
+        takes: "<12 FLOATS>",
+        default: "",
+        since: 0,
+        help: "moves it as the images of x, y, z and 0 say",
+    },
+    Described {
+        word: "transform",
+        takes: "{ items }",
+        default: "",
+        since: 0,
+        help: "moves it as several transformations do",
+    },
+];
+
 /// A table, whatever it makes.
 pub(in crate::eval) trait Table: Sync {
     /// The word before its brace.
@@ -160,7 +197,8 @@ impl<T> Table for Block<T> {
     }
 
     fn words(&self) -> Vec<Described> {
-        self.items.iter().map(Item::described).collect()
+        let moving = if self.moves.is_some() { TRANSFORMATIONS } else { &[] };
+        self.items.iter().map(Item::described).chain(moving.iter().copied()).collect()
     }
 }
 
@@ -185,9 +223,21 @@ impl Evaluator<'_> {
     #[inline]
     pub(super) fn item_of<T>(&mut self, block: &Block<T>, target: &mut T) -> SourceResult<bool> {
         let TokenKind::Keyword(word) = self.fill(false)? else { return Ok(false) };
-        let Some(item) = block.item(word) else { return Ok(false) };
-        let span = self.span();
+        let Some(item) = block.item(word) else {
+            let Some(moves) = block.moves else { return Ok(false) };
+            let Some(transform) = self.transformation()? else { return Ok(false) };
+            moves(self, target, &transform);
+            return Ok(true);
+        };
+        let at = Word { word, span: self.span() };
         self.take();
+        self.read_item(item, target, at)?;
+        Ok(true)
+    }
+
+    /// Reads what stands behind the word of an item, which was taken.
+    #[inline]
+    fn read_item<T>(&mut self, item: &Item<T>, target: &mut T, at: Word) -> SourceResult<()> {
         match item.takes {
             Takes::Float(field) => *field(target) = self.float()?,
             Takes::Single(field) => *field(target) = self.float()? as f32,
@@ -196,9 +246,14 @@ impl Evaluator<'_> {
             Takes::Switch(field) => *field(target) = self.optional_bool()?,
             Takes::Amount(field) => *field(target) = self.optional_amount()?,
             Takes::Nothing(act) => act(target),
-            Takes::Other(_, read) => read(self, target, Word { word, span })?,
+            Takes::Other(_, read) => read(self, target, at)?,
         }
-        Ok(true)
+        Ok(())
+    }
+
+    /// The same for a word that another block has taken.
+    pub(super) fn item_behind<T>(&mut self, block: &Block<T>, target: &mut T, at: Word) -> SourceResult<()> {
+        block.item(at.word).map_or(Ok(()), |item| self.read_item(item, target, at))
     }
 
     /// Reads all items of a block, with or without commas behind them.
@@ -211,8 +266,13 @@ impl Evaluator<'_> {
 
     /// Takes the `}` of a block, or says what it takes.
     pub(super) fn close_of<T>(&mut self, block: &Block<T>) -> SourceResult<()> {
+        self.close_as(block, block.name)
+    }
+
+    /// The same for one of several blocks that end in the same words.
+    pub(super) fn close_as<T>(&mut self, block: &Block<T>, name: &str) -> SourceResult<()> {
         if !self.accept_punct('}')? {
-            return self.expected_in(block, &format!("'}}' to close {}", block.name));
+            return self.expected_in(block, &format!("'}}' to close {name}"));
         }
         self.budget.shallower();
         Ok(())

@@ -72,6 +72,9 @@ fn hint(text: &str) -> String {
 fn a_block_says_what_it_takes() {
     assert_eq!(hint("sphere { 0, 1 finish { phonk 1 } }"), "did you mean 'phong'?");
     assert!(hint("sphere { 0, 1 finish { fong 1 } }").starts_with("finish takes ambient, brilliance"));
-    assert_eq!(hint("fog { width 3 }"), "fog takes distance, fog_alt, fog_offset, fog_type, turb_depth, up");
+    assert_eq!(
+        hint("fog { width 3 }"),
+        "fog takes distance, fog_alt, fog_offset, fog_type, matrix, rotate, scale, transform, translate, turb_depth, up"
+    );
     assert!(hint("camera { radius 3 }").starts_with("camera takes angle, aperture"));
 }
