@@ -27,6 +27,8 @@ pub(super) enum Dimension {
     Medium(u32),
     /// By how much a lattice of directions or depths below a surface is shifted along one of its axes.
     Shift(u8),
+    /// Whether a sample that counts for little is looked at.
+    Roulette,
 }
 
 /// How a path goes on from a vertex.
@@ -96,6 +98,7 @@ impl Random {
             Dimension::Direction => 5 << 60,
             Dimension::Medium(i) => 6 << 60 | u64::from(i),
             Dimension::Shift(axis) => 7 << 60 | u64::from(axis),
+            Dimension::Roulette => 8 << 60,
         };
         (mixed(self.0 ^ mixed(code)) >> 11) as f64 / (1u64 << 53) as f64
     }

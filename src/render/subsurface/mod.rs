@@ -7,6 +7,7 @@
 //! SIGGRAPH 2001; docs/povray/subsurface.md (measured) for every rule.
 
 mod material;
-pub(super) mod sampling;
+mod sampling;
 
 pub(super) use material::Material;
+pub(super) use sampling::{Depths, Directions, Roulette};

@@ -121,11 +121,11 @@ pub(super) fn shade<'t, G: Gather>(
         let direct =
             if finish.uses_lights && wants_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
         shaded.found.add_own(filter, emission, direct);
-        if let Some(translucency) = translucency {
-            let light = from_below(worker, vertex, &lit, translucency);
+        if let Some((settings, translucency)) = worker.subsurface(vertex.path).zip(translucency) {
+            let light = from_below(worker, vertex, &lit, (settings, translucency));
             shaded.found.add(Term::Subsurface, Radiance::opaque(filter * light));
+            below_asks |= settings.radiosity;
         }
-        below_asks |= translucency.is_some() && worker.prepared.subsurface.is_some_and(|settings| settings.radiosity);
         if worker.prepared.radiosity.is_some() && !below_asks {
             let light = indirect.reflected(worker, vertex, &lit, filter);
             shaded.found.add(Term::Indirect, Radiance::opaque(filter * light));

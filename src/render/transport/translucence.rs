@@ -13,7 +13,7 @@ use crate::render::path::Path;
 use crate::render::random::{Branch, Dimension, Random};
 use crate::render::shade::SurfaceLayer;
 use crate::render::shade::finish::fresnel;
-use crate::render::subsurface::{Material, sampling};
+use crate::render::subsurface::{Depths, Directions, Material, Roulette};
 use crate::render::vertex::Vertex;
 use crate::render::worker::Worker;
 use std::f64::consts::PI;
@@ -38,13 +38,11 @@ pub(super) fn from_below(
     worker: &mut Worker<'_>,
     vertex: &Vertex<'_>,
     layer: &SurfaceLayer<'_>,
-    translucency: Rgb,
+    (settings, translucency): (&Subsurface, Rgb),
 ) -> Rgb {
     let world = worker.world();
-    let Some(settings) = worker.prepared.subsurface else { return Rgb::ZERO };
     let Some(table) = &world.interior(vertex.surface.interior.interior).reduced_albedo else { return Rgb::ZERO };
-    let seen = vertex.path.bounce == 0 || worker.prepared.radiosity.as_ref().is_some_and(|r| r.settings.subsurface);
-    if vertex.path.below >= MOST_BELOW || !seen {
+    if vertex.path.below >= MOST_BELOW {
         return Rgb::ZERO;
     }
     let ior = vertex.interiors().relative_ior(&inside_of(world, vertex.surface));
@@ -85,35 +83,40 @@ impl Below<'_> {
     }
 
     /// Light that was scattered often: of the dipole at places that are seen from one point below the surface.
+    ///
+    /// The mean is over what is met, so weights of directions that meet nothing must be known, too.
     fn multiple(&self, worker: &mut Worker<'_>) -> DVec3 {
         let wants_lights = worker.wants_lights(self.vertex.path);
         if !wants_lights && !self.settings.radiosity {
             return DVec3::ZERO;
         }
-        let Some(start) = self.start(worker) else { return DVec3::ZERO };
+        let Some((start, is_halfway)) = self.start(worker) else { return DVec3::ZERO };
         let random = self.random.branch(Branch::Below(MULTIPLE));
         let shifts = [random.unit(Dimension::Shift(0)), random.unit(Dimension::Shift(1))];
-        let n = self.samples(self.settings.multiple_samples);
-        let (mut sum, mut n_met) = (DVec3::ZERO, 0);
-        for i in 0..n {
-            let direction = sampling::direction(i, n, shifts);
-            let path = self.path((Ray::new(start, direction), Range::FORWARD), random.branch(Branch::Below(i)));
-            let Some((hit, surface)) = met(worker, &path) else { continue };
-            n_met += 1;
+        let directions = Directions::new(self.samples(self.settings.multiple_samples), self.vertex.facing, is_halfway);
+        let mm = self.settings.mm_per_unit;
+        let mut path = self.path((Ray::new(start, self.vertex.facing), Range::FORWARD), random);
+        let mut roulette = Roulette::default();
+        let (mut sum, mut met) = (DVec3::ZERO, 0.0);
+        for i in 0..directions.len() {
+            let (direction, share) = directions.get(i, shifts);
+            path.ray.direction = direction;
+            path.random = random.branch(Branch::Below(i));
+            let Some(hit) = first_hit(worker, &path) else { continue };
+            met += share;
+            let surface = worker.world().geometry.surface(&path.ray, &hit);
             if !self.is_same(&surface) {
                 continue;
             }
-            let entry = Entry { vertex: Vertex::new(&path, hit.t, &surface) };
-            let mm = self.settings.mm_per_unit;
             let cosine = direction.dot(surface.normal).abs().max(LEAST_COSINE);
             let area = 4.0 * PI * (hit.t * mm).powi(2) / cosine;
             let square = (surface.point - self.vertex.point()).length_squared() * mm * mm;
-            let arriving = self.arriving(worker, &entry, wants_lights);
-            if arriving != DVec3::ZERO {
-                sum += arriving * area * self.material.diffuse_reflectance(square);
-            }
+            let visible = share * area * self.material.diffuse_reflectance(square);
+            let Some(weight) = roulette.weight(visible.max_element(), path.random) else { continue };
+            let entry = Entry { vertex: Vertex::new(&path, hit.t, &surface) };
+            sum += weight * visible * self.arriving(worker, &entry, wants_lights);
         }
-        if n_met == 0 { DVec3::ZERO } else { self.leaving * sum / f64::from(n_met) }
+        if met == 0.0 { DVec3::ZERO } else { self.leaving * sum / met }
     }
 
     /// The light that comes in at a place from everywhere.
@@ -135,8 +138,8 @@ impl Below<'_> {
     }
 
     /// The point below the surface from which others are looked at: one mean free path deep, halfway through what is
-    /// thinner than two.
-    fn start(&self, worker: &mut Worker<'_>) -> Option<DVec3> {
+    /// thinner than two; and whether it is halfway.
+    fn start(&self, worker: &mut Worker<'_>) -> Option<(DVec3, bool)> {
         let depth = self.material.mean_free_path / self.settings.mm_per_unit;
         if depth <= 0.0 {
             return None;
@@ -144,11 +147,12 @@ impl Below<'_> {
         let inward = -self.vertex.facing;
         let (ray, range) = self.vertex.leave(inward);
         let path = self.path((ray, Range { max: 2.0 * depth, ..range }), self.random);
-        Some(match met(worker, &path) {
-            None => ray.at(depth),
-            Some((hit, surface)) if self.is_same(&surface) => ray.at(0.5 * hit.t),
-            Some((hit, _)) if hit.t > depth => ray.at(depth),
-            Some((_, surface)) => surface.leave(-inward).0.origin,
+        let Some(hit) = first_hit(worker, &path) else { return Some((ray.at(depth), false)) };
+        let surface = worker.world().geometry.surface(&path.ray, &hit);
+        Some(match self.is_same(&surface) {
+            true => (ray.at(0.5 * hit.t), true),
+            false if hit.t > depth => (ray.at(depth), false),
+            false => (surface.leave(-inward).0.origin, false),
         })
     }
 
@@ -158,14 +162,14 @@ impl Below<'_> {
             return DVec3::ZERO;
         };
         let path = self.path(self.vertex.leave(direction), self.random.branch(Branch::Below(STRAIGHT)));
-        let exit = met(worker, &path);
-        let thickness = exit.as_ref().map_or(f64::INFINITY, |(hit, _)| hit.t) * self.settings.mm_per_unit;
+        let exit = first_hit(worker, &path);
+        let thickness = exit.as_ref().map_or(f64::INFINITY, |hit| hit.t) * self.settings.mm_per_unit;
         let mut sum = DVec3::ZERO;
         if worker.wants_lights(self.vertex.path) {
             sum += self.single(worker, &path, thickness);
         }
-        if let Some((_, surface)) = exit.filter(|(_, surface)| self.is_same(surface)) {
-            sum += self.straight(worker, &path, &surface, thickness);
+        if let Some(hit) = exit {
+            sum += self.straight(worker, &path, &hit);
         }
         sum
     }
@@ -174,7 +178,7 @@ impl Below<'_> {
     fn single(&self, worker: &mut Worker<'_>, view: &Path, thickness: f64) -> DVec3 {
         let random = self.random.branch(Branch::Below(SINGLE));
         let shifts = [random.unit(Dimension::Shift(0)), random.unit(Dimension::Shift(1))];
-        let depths = sampling::Depths::new(&self.material, thickness);
+        let depths = Depths::new(&self.material, thickness);
         let cosine_out = view.ray.direction.dot(self.vertex.facing).abs();
         let n = self.samples(self.settings.single_samples);
         let mut sum = DVec3::ZERO;
@@ -196,7 +200,8 @@ impl Below<'_> {
             let light = &world.lights[index];
             let direction = light.toward(point, light.location).0;
             let path = self.path((Ray::new(point, direction), Range::FORWARD), random);
-            let Some((hit, surface)) = met(worker, &path) else { continue };
+            let Some(hit) = first_hit(worker, &path) else { continue };
+            let surface = world.geometry.surface(&path.ray, &hit);
             if !self.is_same(&surface) {
                 continue;
             }
@@ -215,10 +220,14 @@ impl Below<'_> {
     }
 
     /// What is seen straight through the object, bent where it leaves it.
-    fn straight(&self, worker: &mut Worker<'_>, view: &Path, exit: &Surface, thickness: f64) -> DVec3 {
-        let left = self.material.transmittance(thickness);
+    fn straight(&self, worker: &mut Worker<'_>, view: &Path, hit: &Hit) -> DVec3 {
+        let left = self.material.transmittance(hit.t * self.settings.mm_per_unit);
         let most = left.max_element() as f32;
         if most <= worker.adc_bailout(self.vertex.path) {
+            return DVec3::ZERO;
+        }
+        let exit = worker.world().geometry.surface(&view.ray, hit);
+        if !self.is_same(&exit) {
             return DVec3::ZERO;
         }
         let Some(direction) = refracted(view.ray.direction, exit.normal, self.ior) else { return DVec3::ZERO };
@@ -268,9 +277,7 @@ impl Entry<'_> {
 }
 
 /// The nearest thing on a way, which is counted.
-fn met(worker: &mut Worker<'_>, path: &Path) -> Option<(Hit, Surface)> {
+fn first_hit(worker: &mut Worker<'_>, path: &Path) -> Option<Hit> {
     worker.statistics.sample_rays += 1;
-    let hit = worker.intersect(path)?;
-    let surface = worker.world().geometry.surface(&path.ray, &hit);
-    Some((hit, surface))
+    worker.intersect(path)
 }
