@@ -4,8 +4,9 @@
 //!
 //! 1. [`omission`], [`math`], [`diag`], [`imaging`], [`function`]: what may be left out, vectors and noise, places and
 //!    messages, picture files, programs of `function {}` blocks; all stand beside the way.
-//! 2. [`syntax`]: text to tokens, once for each file.
-//! 3. [`scene`]: what a file describes, as plain data in POV-Ray's words; [`eval`] runs the tokens and makes it.
+//! 2. [`syntax`]: text to tokens, once for each file; the one grammar of expressions.
+//! 3. [`scene`]: what a file describes, as plain data in POV-Ray's words; [`eval`] runs the tokens and makes it, with blocks
+//!    described as tables ([`eval::blocks::described`]).
 //! 4. [`compiled`]: what rays meet, in the field's words; [`compile`] makes it, and refuses what is wrong.
 //! 5. [`render`]: from camera rays to pixels; cannot fail.
 //! 6. [`job`]: one configuration, a session that owns what pictures share, an observer.

@@ -105,3 +105,30 @@ fn modules_of_the_renderer_form_no_circle() {
         assert!(knows.len() < before, "a circle among {knows:?}");
     }
 }
+
+/// The parts that the evaluator owns can be built alone: none of them knows it, and of each other they know what is
+/// listed here.
+#[test]
+fn parts_of_the_evaluator_stand_alone() {
+    let parts: [(&str, &[&str]); 6] = [
+        ("feed", &[]),
+        ("names", &[]),
+        ("budget", &[]),
+        ("report", &[]),
+        ("data_file", &["feed"]),
+        ("world", &["data_file"]),
+    ];
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/eval");
+    for (part, known) in parts {
+        let mut files = sources(&root.join(part));
+        let alone = root.join(part).with_extension("rs");
+        files.extend(std::fs::read_to_string(&alone).ok().map(|code| (alone, code)));
+        assert!(!files.is_empty(), "{part}");
+        for (file, code) in files {
+            assert!(!code.contains("Evaluator"), "{} knows the evaluator", file.display());
+            for (other, _) in parts.iter().filter(|(other, _)| *other != part && !known.contains(other)) {
+                assert!(!code.contains(&format!("super::{other}")), "{} knows {other}", file.display());
+            }
+        }
+    }
+}

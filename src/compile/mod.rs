@@ -9,6 +9,7 @@ mod photons;
 mod picture;
 mod queries;
 mod radiosity;
+mod subsurface;
 pub mod texture;
 mod world;
 

@@ -2,6 +2,7 @@
 
 use super::function::Functions;
 use super::geometry::{CompiledGeometry, PlacedLight, Watched, compile_object_sharing};
+use super::subsurface::ReducedAlbedos;
 use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light, medium, photons};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
@@ -70,11 +71,12 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
     let camera = camera::camera(&scene.camera, &mut compiler).map_err(|r| r.at(scene.camera.span));
     let camera = note(camera, &mut errors);
     let mut media = Vec::new();
-    let interiors = note(compiled_interiors(&interiors, &mut compiler, &mut media), &mut errors);
+    let subsurface = super::subsurface::subsurface(&scene.settings);
+    let albedos = subsurface.map(|_| ReducedAlbedos::default());
+    let interiors = note(compiled_interiors(&interiors, &mut compiler, &mut media, albedos), &mut errors);
     let atmosphere = note(atmosphere(scene, &mut compiler, &mut media), &mut errors);
     let Lights { all: lights, global: global_lights, of_groups: group_lights } =
         place_lights(lights, &light_groups, &mut warnings)?;
-    warn_about_light(scene, &mut warnings);
     let photons = photons::photons(&scene.settings, targets, &lights, &global_lights, &mut warnings)?;
     let (Some(camera), Some(interiors), Some(atmosphere), true) = (camera, interiors, atmosphere, errors.is_empty())
     else {
@@ -99,6 +101,7 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
         settings: settings(&scene.settings),
         photons,
         radiosity: scene.settings.radiosity.as_ref().map(|r| super::radiosity::radiosity(r, &scene.settings)),
+        subsurface,
         labels,
         touching: Touching::default(),
         features: Features::default(),
@@ -178,11 +181,13 @@ fn compiled_interiors(
     interiors: &Table<InteriorId, Arc<scene::Interior>>,
     compiler: &mut TextureCompiler<'_>,
     media: &mut Vec<Medium>,
+    mut albedos: Option<ReducedAlbedos>,
 ) -> Result<Table<InteriorId, Arc<Interior>>, Refusal> {
     let mut known = FxHashMap::default();
     let mut last: Option<Arc<Interior>> = None;
     let mut compiled = |i: &Arc<scene::Interior>| -> Result<_, Refusal> {
-        let made = interior(i, add_media(&i.media, compiler, media)?);
+        let mut made = interior(i, add_media(&i.media, compiler, media)?);
+        made.reduced_albedo = albedos.as_mut().map(|known| known.of(made.ior));
         let like = last.take().filter(|last| **last == made).unwrap_or_else(|| Arc::new(made));
         Ok(Arc::clone(last.insert(like)))
     };
@@ -219,6 +224,7 @@ fn interior(interior: &scene::Interior, media: Range<usize>) -> Interior {
         caustics: interior.caustics * 45.0,
         refraction: interior.refraction as f32,
         media,
+        reduced_albedo: None,
     }
 }
 
@@ -314,17 +320,6 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
     })
 }
 
-/// What a Whitted renderer leaves out is said once for each feature, where it stands.
-fn warn_about_light(scene: &Scene, warnings: &mut Vec<Diagnostic>) {
-    let settings = &scene.settings;
-    let left_out = [(
-        settings.subsurface.map(|s| s.span),
-        "`subsurface` light is not rendered: light below surfaces will be missing",
-    )];
-    let warn = |(span, message): (Option<Span>, &str)| Some(Diagnostic::warning(Topic::Unsupported, span?, message));
-    warnings.extend(left_out.into_iter().filter_map(warn));
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -377,8 +372,8 @@ mod tests {
 
     #[test]
     fn warnings_point_at_what_is_left_out() {
-        check("global_settings { photons { count 5 } }", "`photons`", "photons");
-        check("global_settings { subsurface { } }", "`subsurface`", "subsurface");
+        let ball = "sphere { 0, 1 photons { target reflection on } } light_source { 9, 1 }";
+        check(&format!("global_settings {{ photons {{ save_file \"a\" }} }} {ball}"), "neither saved", "photons");
         let light = "light_source { 0, 1 area_light x, y, 2000, 2000 }";
         check(light, "2000 x 2000 samples", "light_source");
     }

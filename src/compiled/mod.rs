@@ -16,6 +16,7 @@ pub mod medium;
 pub mod mesh_camera;
 pub mod photons;
 pub mod radiosity;
+pub mod subsurface;
 pub mod texture;
 mod world;
 

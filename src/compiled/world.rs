@@ -11,6 +11,7 @@ use super::light::Light;
 use super::medium::Medium;
 use super::photons::Photons;
 use super::radiosity::Radiosity;
+use super::subsurface::Subsurface;
 use super::texture::Texture;
 use crate::imaging::Curve;
 use crate::math::Rgb;
@@ -45,6 +46,8 @@ pub struct World {
     pub radiosity: Option<Radiosity>,
     /// How photons are shot and gathered, if they are.
     pub photons: Option<Photons>,
+    /// How light below surfaces is sampled, if it is.
+    pub subsurface: Option<Subsurface>,
     /// Names, for layers.
     pub labels: Labels,
     /// Where objects that bend or dim light may touch.
@@ -68,6 +71,7 @@ impl World {
                 at.x, at.y, at.z, color.x, color.y, color.z
             );
         }
+        out.extend(self.subsurface.map(|subsurface| subsurface.dump()));
         for (what, count) in self.summary() {
             let _ = writeln!(out, "{what:<22}{count:>12}");
         }

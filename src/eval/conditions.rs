@@ -3,7 +3,7 @@
 use super::Evaluator;
 use super::directives::{Block, BlockKind};
 use super::expressions::{EPSILON, truth};
-use super::feed::{Role, Unskipped};
+use super::feed::Role;
 use crate::diag::{SourceResult, Span};
 use crate::syntax::{Directive, Token, TokenKind};
 
@@ -154,17 +154,16 @@ impl Evaluator<'_> {
     /// Skips to the directive that ends the current branch and returns it.
     pub(super) fn skip_branch(&mut self, opened: Span) -> SourceResult<Directive> {
         loop {
-            match self.feed.skip_branch(&mut self.names.words) {
-                Ok(directive) => return Ok(directive),
-                Err(Unskipped::Bad(Token { kind: TokenKind::Bad(what), span })) => {
-                    return self.error(span, what.message());
-                }
-                Err(Unskipped::Bad(bad)) => return self.error(bad.span, "malformed text"),
-                Err(Unskipped::Over) => match self.feed.innermost().map(|cursor| cursor.role) {
-                    Some(Role::Include) => self.leave_cursor()?,
-                    Some(_) => return self.error(opened, "there is no #end that belongs to this"),
-                    None => return self.error(opened, "the file ends before the #end that belongs to this"),
-                },
+            if let Some(directive) = self.feed.skip_branch(&mut self.names.words) {
+                return Ok(directive);
+            }
+            if let Some(Token { kind: TokenKind::Bad(what), span }) = self.feed.bad_in_branch(&mut self.names.words) {
+                return self.error(span, what.message());
+            }
+            match self.feed.innermost().map(|cursor| cursor.role) {
+                Some(Role::Include) => self.leave_cursor()?,
+                Some(_) => return self.error(opened, "there is no #end that belongs to this"),
+                None => return self.error(opened, "the file ends before the #end that belongs to this"),
             }
         }
     }

@@ -214,8 +214,9 @@ impl Evaluator<'_> {
 
     /// Goes on with an expression whose first operand was already read.
     pub(super) fn arithmetic_from(&mut self, operand: Number, n: u8) -> SourceResult<Number> {
-        let operand = self.component(operand)?.widened(n);
-        go_on(self, operand, Strength::Sum, Strength::Product, n)
+        let mut value = self.component(operand)?.widened(n);
+        go_on(self, &mut value, Strength::Sum, Strength::Product, n)?;
+        Ok(value)
     }
 
     /// A component was divided by an exact zero.
@@ -421,12 +422,13 @@ impl Build for Evaluator<'_> {
     }
 
     #[inline]
-    fn combine(&mut self, operator: Operator, left: Number, right: Number, span: Span) -> SourceResult<Number> {
+    fn combine(&mut self, operator: Operator, left: &mut Number, right: Number, span: Span) -> SourceResult<()> {
         // By an exact zero division gives plus infinity, whatever the numerator.
         if operator == Operator::Divide && right.widened(left.n).has_zero() {
             self.warn_division(span);
         }
-        Ok(operator.combine(left, right))
+        *left = operator.combine(*left, right);
+        Ok(())
     }
 }
 

@@ -71,7 +71,7 @@ impl Evaluator<'_> {
         if self.version < 150 {
             return Ok(None);
         }
-        let found = self.feed.formula(full, &|name| self.names.is_macro(name));
+        let found = self.feed.formula(full, |name| self.names.is_macro(name));
         let Some((formula, start)) = found else { return Ok(None) };
         if formula.open_ended && !self.bare
             || !names && matches!(formula.nodes.last(), Some(Node::Name(_) | Node::Element(..)))

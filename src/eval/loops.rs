@@ -51,8 +51,9 @@ impl Evaluator<'_> {
 
     /// Whether the condition holds, where the `#while` before it was jumped to again.
     fn condition_again(&mut self) -> SourceResult<bool> {
-        let known = self.feed.statement(1, &|name| self.names.is_macro(name));
+        let known = self.feed.statement(1, |name| self.names.is_macro(name));
         if let Some((statement, start)) = known
+            && self.feed.held().is_none()
             && self.version >= 350
             && let Some(holds) = self.condition_of(&statement, start)?
         {

@@ -2,6 +2,7 @@
 
 use super::Evaluator;
 use super::advice::{advice, near_name};
+use super::blocks::{Table, with_words};
 use super::budget::{Exceeded, Within};
 use super::names::Names;
 use crate::diag::{Diagnostic, SourceResult, Span, Topic};
@@ -64,6 +65,17 @@ impl Evaluator<'_> {
             Some(advice) => error.hint(advice),
             None => error,
         })])
+    }
+
+    /// The same in a block, whose words are what else could have stood there.
+    pub(super) fn expected_in<T>(&mut self, table: &dyn Table, what: &str) -> SourceResult<T> {
+        self.expected(what).map_err(|errors| {
+            let undeclared = match self.feed.held().map(|token| token.kind) {
+                Some(TokenKind::Name(name)) if self.names.find(name).is_none() => Some(&**self.names.words.word(name)),
+                _ => None,
+            };
+            with_words(errors, table, undeclared)
+        })
     }
 
     /// An error for a name that is not declared.

@@ -6,7 +6,9 @@
 //! rule for where a directive waits until the value before it is complete
 //! (language facts, section 15) is the `hold` argument of `Evaluator::fill`.
 //!
-//! It touches no disk and prints nothing: everything outside comes through [`Host`].
+//! It owns five parts that know nothing of each other: the `feed` gives tokens, `names` say what words stand for, the
+//! `budget` counts what is used up, the `report` keeps what is said, and the `world` is what lies outside. That touches no
+//! disk and prints nothing: everything comes through [`Host`].
 //!
 //! ```
 //! use whitted::eval::{Memory, NoQueries, Options, evaluate};

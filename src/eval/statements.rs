@@ -25,7 +25,7 @@ impl Evaluator<'_> {
     /// Runs the directives that come next in the innermost file or macro.
     pub(super) fn run_directives(&mut self) -> SourceResult<()> {
         while self.feed.held().is_none() {
-            if let Some((statement, start)) = self.feed.statement(0, &|name| self.names.is_macro(name))
+            if let Some((statement, start)) = self.feed.statement(0, |name| self.names.is_macro(name))
                 && self.run_statement(&statement, start)? == Outcome::Done
             {
                 continue;

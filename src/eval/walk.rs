@@ -38,7 +38,8 @@ impl Walk<'_> {
         names.number(self.formula.name(operand)).unwrap_or(Number::scalar(f64::NAN))
     }
 
-    /// What is asked of such a name, where that is a float.
+    /// What is asked of such a name, where that is a float; rare enough to stand beside the loop over nodes.
+    #[inline(never)]
     fn float(&self, operand: OperandId, names: &Names) -> f64 {
         let index = match self.formula.operands[usize::from(operand)].demand {
             Demand::Component(index) => index,

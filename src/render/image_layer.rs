@@ -22,6 +22,8 @@ pub enum ImageLayer {
     Indirect,
     /// Light that photons have brought.
     Caustics,
+    /// Light that comes from below the first surface.
+    Subsurface,
     /// What the first surface mirrors.
     Reflection,
     /// What comes through the first surface.
@@ -44,7 +46,7 @@ pub enum ImageLayer {
 
 impl ImageLayer {
     /// All layers, in the order in which they are documented.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
@@ -54,6 +56,7 @@ impl ImageLayer {
         Self::Direct,
         Self::Indirect,
         Self::Caustics,
+        Self::Subsurface,
         Self::Reflection,
         Self::Refraction,
         Self::Background,
@@ -77,6 +80,7 @@ impl ImageLayer {
             Self::Direct => "direct",
             Self::Indirect => "indirect",
             Self::Caustics => "caustics",
+            Self::Subsurface => "subsurface",
             Self::Reflection => "reflection",
             Self::Refraction => "refraction",
             Self::Background => "background",
@@ -92,8 +96,9 @@ impl ImageLayer {
     /// Whether it is a colour in linear light. Variance is a square of working values; Cryptomatte holds names.
     pub(super) fn is_color(self) -> bool {
         match self {
-            Self::Albedo | Self::Emission | Self::Direct | Self::Indirect | Self::Reflection => true,
-            Self::Caustics | Self::Refraction | Self::Background | Self::Atmosphere | Self::Media => true,
+            Self::Albedo | Self::Emission | Self::Direct | Self::Indirect | Self::Caustics => true,
+            Self::Subsurface | Self::Reflection | Self::Refraction => true,
+            Self::Background | Self::Atmosphere | Self::Media => true,
             Self::Depth | Self::Position | Self::Normal | Self::GeometricNormal => false,
             Self::Samples | Self::Variance | Self::CryptoObject | Self::CryptoMaterial => false,
         }

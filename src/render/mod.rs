@@ -12,6 +12,7 @@
 //! - `transport`: the recursion; `light`: what arrives at a vertex from light sources; `shade`: layers as values;
 //! - `film`: what is kept of light; `worker`, `prepare`: what a thread owns, what all share;
 //! - `radiosity`: records of light between surfaces; `photons`: light that was carried by way of glass and mirrors;
+//!   `subsurface`: what materials do with light below theirs;
 //! - `medium`, `environment`: what a ray passes, what it sees at the end; `camera`; `vertex`, `path`;
 //! - `enough`, `random`, `jitter`, `radiance`, `statistics`, `observer`, `options`.
 
@@ -39,6 +40,7 @@ mod sensor;
 mod shade;
 mod shoot;
 mod statistics;
+mod subsurface;
 mod told;
 mod transport;
 mod vertex;

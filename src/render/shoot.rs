@@ -151,6 +151,7 @@ impl<'w> Gun<'w> {
                     ray,
                     range: Range::FORWARD,
                     bounce: 0,
+                    below: 0,
                     kind: RayKind::Photon,
                     level: 1,
                     weight: 1.0,

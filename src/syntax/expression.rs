@@ -194,17 +194,17 @@ pub trait Build {
         place
     }
 
-    /// Both sides of an operator put together.
+    /// Puts both sides of an operator together, in place of the left one.
     ///
     /// # Errors
     /// When they do not fit.
     fn combine(
         &mut self,
         operator: Operator,
-        left: Self::Built,
+        left: &mut Self::Built,
         right: Self::Built,
         mark: Self::Mark,
-    ) -> Result<Self::Built, Self::Stop>;
+    ) -> Result<(), Self::Stop>;
 }
 
 /// Builds choices, too: `condition ? yes : no`.
@@ -250,12 +250,16 @@ pub fn expression<B: Choose>(build: &mut B, place: B::Place) -> Result<B::Built,
 /// Those of its parts.
 pub fn chain<B: Build>(build: &mut B, least: Strength, place: B::Place) -> Result<B::Built, B::Stop> {
     if least <= Strength::Comparison
-        && let Some(compared) = build.comparison(place)?
+        && let Some(mut compared) = build.comparison(place)?
     {
-        return go_on(build, compared, least, Strength::And, place);
+        go_on(build, &mut compared, least, Strength::And, place)?;
+        return Ok(compared);
     }
-    let first = build.operand(place)?;
-    if least == Strength::Operand { Ok(first) } else { go_on(build, first, least, Strength::Product, place) }
+    let mut left = build.operand(place)?;
+    if least < Strength::Operand {
+        go_on(build, &mut left, least, Strength::Product, place)?;
+    }
+    Ok(left)
 }
 
 /// Goes on behind what stands left of an operator, with operators from `least` to `most`.
@@ -265,23 +269,23 @@ pub fn chain<B: Build>(build: &mut B, least: Strength, place: B::Place) -> Resul
 #[inline]
 pub fn go_on<B: Build>(
     build: &mut B,
-    mut left: B::Built,
+    left: &mut B::Built,
     least: Strength,
     mut most: Strength,
     place: B::Place,
-) -> Result<B::Built, B::Stop> {
+) -> Result<(), B::Stop> {
     while let Some(operator) = build.operator()? {
         let strength = operator.strength(B::LANGUAGE);
         if strength < least || strength > most {
             break;
         }
         let mark = build.take_operator();
-        let beside = B::beside(place, &left);
+        let beside = B::beside(place, left);
         let right = chain(build, strength.tighter(), beside)?;
-        left = build.combine(operator, left, right, mark)?;
+        build.combine(operator, left, right, mark)?;
         most = strength;
     }
-    Ok(left)
+    Ok(())
 }
 
 #[cfg(test)]
@@ -322,8 +326,9 @@ mod tests {
             Ok(Some(digit.into()))
         }
 
-        fn combine(&mut self, o: Operator, left: String, right: String, (): ()) -> Result<String, Self::Stop> {
-            Ok(format!("({left}{}{right})", o.sign()))
+        fn combine(&mut self, o: Operator, left: &mut String, right: String, (): ()) -> Result<(), Self::Stop> {
+            *left = format!("({left}{}{right})", o.sign());
+            Ok(())
         }
     }
 
@@ -386,7 +391,7 @@ mod tests {
         check("1+a", "1 +a");
         check("1=a", "1 =a");
         check("a&1*b", "(a&1) *b");
-        check("a+1", "no operand");
+        check("a+1", "no operand 1");
     }
 
     #[test]

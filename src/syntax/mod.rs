@@ -1,16 +1,16 @@
-//! Text to tokens: the grammar, and files as runs of tokens that know where their blocks end.
+//! Text to tokens, files as runs of tokens that know where their blocks end, and the grammar of expressions.
 //!
 //! ```text
-//! bytes -> tokens, in pieces (pest, grammar/tokens.pest) -> Source
+//! bytes -> tokens, in pieces (a lexer by hand; grammar/tokens.pest specifies it) -> Source
 //! ```
 //!
 //! In this language directives and macro calls may stand between any two tokens: a brace
 //! may open in one branch of an `#if` and close in another, an expression may be cut by
 //! an `#include`, and what a name means (number, object, macro, array) is known only
 //! when it is met. A tree of a whole file made beforehand would hold for few files. So the
-//! grammar stops at tokens, each made once however often a loop runs, with words already
+//! lexer stops at tokens, each made once however often a loop runs, with words already
 //! turned into integers and numbers into floats; the evaluator reads blocks from them by
-//! recursive descent.
+//! recursive descent, and expressions by one grammar, whatever is built of them ([`expression`]).
 //!
 //! Three things are more than tokens. Expressions that stand whole become trees when
 //! they are met again ([`formula`]), which makes loops several times faster. Literal

@@ -1,11 +1,86 @@
 //! `background`, `sky_sphere`, `fog` and `rainbow`.
 
+use super::table::{Block, Item, Takes};
 use crate::diag::{SourceResult, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{Color, DVec3, Rgb, Transform};
 use crate::scene::{Background, Blend, Fog, Pattern, PatternKind, Pigment, PigmentKind, Rainbow, SkySphere};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
+
+pub(super) static FOG: Block<Fog> = Block::moved(
+    "fog",
+    |_, fog, transform| fog.up = transform.vector(fog.up).normalize_or(DVec3::Y),
+    &[
+        Item::new(
+            K::Distance,
+            Takes::Float(|f| &mut f.distance),
+            "0",
+            "the way after which 37 percent of light is left",
+        ),
+        Item::new(
+            K::FogType,
+            Takes::Other("INTEGER", |e, f, at| {
+                let kind = e.integer()?;
+                if !(1..=2).contains(&kind) {
+                    e.warn(Topic::Range, at.span, format!("there is no fog_type {kind}; type 1 is used"));
+                }
+                f.ground = kind == 2;
+                Ok(())
+            }),
+            "1",
+            "1 the same everywhere, 2 thinner with height",
+        ),
+        Item::new(K::FogOffset, Takes::Float(|f| &mut f.offset), "0", "height up to which ground fog is dense"),
+        Item::new(K::FogAlt, Takes::Float(|f| &mut f.alt), "0", "height above that where a quarter is left"),
+        Item::new(
+            K::Up,
+            Takes::Other("VECTOR", |e, f, _| {
+                f.up = e.vector()?.normalize_or(DVec3::Y);
+                Ok(())
+            }),
+            "y",
+            "where height is measured to",
+        ),
+        Item::new(K::TurbDepth, Takes::Float(|f| &mut f.turb_depth), "0.5", "where along the ray turbulence is taken"),
+    ],
+);
+
+pub(super) static RAINBOW: Block<Rainbow> = Block::new(
+    "rainbow",
+    &[
+        Item::new(K::Direction, Takes::Vector(|r| &mut r.direction), "", "where light comes from, as seen by the bow"),
+        Item::new(K::Up, Takes::Vector(|r| &mut r.up), "y", "to the top of the bow"),
+        Item::new(K::Angle, Takes::Float(|r| &mut r.angle_deg), "0", "between the direction and the bow, in degrees"),
+        Item::new(K::Width, Takes::Float(|r| &mut r.width_deg), "0", "how wide it is, in degrees"),
+        Item::new(K::Distance, Takes::Float(|r| &mut r.distance), "10000000", "how far away it is full"),
+        Item::new(K::Jitter, Takes::Float(|r| &mut r.jitter), "0", "how much its angle varies at random"),
+        Item::new(
+            K::ArcAngle,
+            Takes::Float(|r| r.arc_angle_deg.get_or_insert(0.0)),
+            "180",
+            "part of the circle that is seen, in degrees",
+        ),
+        Item::new(
+            K::FalloffAngle,
+            Takes::Float(|r| r.falloff_angle_deg.get_or_insert(0.0)),
+            "180",
+            "part of it that is at full strength",
+        ),
+        Item::spelt(
+            K::ColourMap,
+            K::ColorMap,
+            Takes::Other("{ ENTRIES }", |e, r, _| {
+                let map = Arc::new(Blend::Map(e.color_map()?));
+                let along = Box::new(Pattern::new(PatternKind::Gradient(DVec3::X)));
+                r.pigment = Arc::new(Pigment { kind: PigmentKind::Colors(along, map), ..Pigment::default() });
+                Ok(())
+            }),
+            "",
+            "its colours, from the inside to the outside",
+        ),
+    ],
+);
 
 impl Evaluator<'_> {
     /// `{ COLOUR }` after `background`.
@@ -66,65 +141,25 @@ impl Evaluator<'_> {
         fog.span = span;
         loop {
             self.comma()?;
-            if let Some(transform) = self.transformation()? {
-                fog.up = transform.vector(fog.up).normalize_or(DVec3::Y);
+            let keyword = self.keyword()?;
+            if let Some(keyword) = keyword
+                && self.turbulence_item(keyword, &mut fog.turbulence)?
+            {
                 continue;
             }
-            let Some(keyword) = self.keyword()? else {
-                if self.at_color()? {
-                    fog.color = self.color()?;
-                } else if self.starts_expression()? {
-                    fog.distance = self.float()?;
-                } else {
-                    break;
-                }
+            if self.item_of(&FOG, &mut fog)? {
                 continue;
-            };
-            if !self.fog_item(keyword, &mut fog)? {
+            }
+            if self.at_color()? {
+                fog.color = self.color()?;
+            } else if self.starts_expression()? {
+                fog.distance = self.float()?;
+            } else {
                 break;
             }
         }
-        self.close("fog")?;
+        self.close_of(&FOG)?;
         Ok(fog)
-    }
-
-    fn fog_item(&mut self, keyword: K, fog: &mut Fog) -> SourceResult<bool> {
-        if self.turbulence_item(keyword, &mut fog.turbulence)? {
-            return Ok(true);
-        }
-        let span = self.span();
-        let target = match keyword {
-            K::Distance => &mut fog.distance,
-            K::FogOffset => &mut fog.offset,
-            K::FogAlt => &mut fog.alt,
-            K::TurbDepth => &mut fog.turb_depth,
-            K::FogType => {
-                self.next()?;
-                let kind = self.integer()?;
-                if !(1..=2).contains(&kind) {
-                    self.warn(Topic::Range, span, format!("there is no fog_type {kind}; type 1 is used"));
-                }
-                fog.ground = kind == 2;
-                return Ok(true);
-            }
-            K::Up => {
-                self.next()?;
-                fog.up = self.vector()?.normalize_or(DVec3::Y);
-                return Ok(true);
-            }
-            _ if self.at_color()? => {
-                fog.color = self.color()?;
-                return Ok(true);
-            }
-            _ if self.starts_expression()? => {
-                fog.distance = self.float()?;
-                return Ok(true);
-            }
-            _ => return Ok(false),
-        };
-        self.next()?;
-        *target = self.float()?;
-        Ok(true)
     }
 
     /// `{ … }` after `rainbow`.
@@ -145,13 +180,8 @@ impl Evaluator<'_> {
             pigment: Arc::new(Pigment::solid(Color { transmit: 1.0, ..Color::BLACK })),
         });
         rainbow.span = span;
-        while let Some(keyword) = self.keyword()? {
-            if !self.rainbow_item(keyword, &mut rainbow)? {
-                break;
-            }
-            self.comma()?;
-        }
-        self.close("rainbow")?;
+        self.items_of(&RAINBOW, &mut rainbow)?;
+        self.close_of(&RAINBOW)?;
         let Some(direction) = rainbow.direction.try_normalize() else {
             return self.error(span, "a rainbow needs a direction");
         };
@@ -166,37 +196,5 @@ impl Evaluator<'_> {
             return self.error(span, "a rainbow's arc_angle must not be smaller than its falloff_angle");
         }
         Ok(rainbow)
-    }
-
-    fn rainbow_item(&mut self, keyword: K, rainbow: &mut Rainbow) -> SourceResult<bool> {
-        let target = match keyword {
-            K::Angle => &mut rainbow.angle_deg,
-            K::Width => &mut rainbow.width_deg,
-            K::Distance => &mut rainbow.distance,
-            K::Jitter => &mut rainbow.jitter,
-            K::ArcAngle => rainbow.arc_angle_deg.get_or_insert(0.0),
-            K::FalloffAngle => rainbow.falloff_angle_deg.get_or_insert(0.0),
-            K::Direction => {
-                self.next()?;
-                rainbow.direction = self.vector()?;
-                return Ok(true);
-            }
-            K::Up => {
-                self.next()?;
-                rainbow.up = self.vector()?;
-                return Ok(true);
-            }
-            K::ColorMap | K::ColourMap => {
-                self.next()?;
-                let map = Arc::new(Blend::Map(self.color_map()?));
-                let along = Box::new(Pattern::new(PatternKind::Gradient(DVec3::X)));
-                rainbow.pigment = Arc::new(Pigment { kind: PigmentKind::Colors(along, map), ..Pigment::default() });
-                return Ok(true);
-            }
-            _ => return Ok(false),
-        };
-        self.next()?;
-        *target = self.float()?;
-        Ok(true)
     }
 }

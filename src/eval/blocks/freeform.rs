@@ -1,5 +1,6 @@
 //! Parameters of freeform shapes: height field, blob, patch, prism, lathe, sor, sweep, text.
 
+use super::table::Word;
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
 use crate::eval::disk::FONT_FOLDERS;
@@ -95,9 +96,10 @@ impl Evaluator<'_> {
                     let below = part.texture.take();
                     part.texture = Some(self.layer_over(below, texture, span)?);
                 }
-                Some(K::Pigment | K::Normal | K::Finish) => {
+                Some(word @ (K::Pigment | K::Normal | K::Finish)) => {
+                    self.next()?;
                     let placed = part.texture.take();
-                    part.texture = Some(self.change_top_layer(placed, span)?);
+                    part.texture = Some(self.change_top_layer(placed, Word { word, span })?);
                 }
                 _ => break,
             }

@@ -1,5 +1,6 @@
 //! Pictures: the file or function behind `image_map` and its kin, and how they lie in space.
 
+use super::table::{Block, Item, Takes};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
 use crate::imaging::Encoded;
@@ -23,6 +24,77 @@ const TYPES: &[(K, &[&str], Option<ImageFormat>)] = &[
     (K::Hdr, &["hdr", "HDR"], Some(ImageFormat::Hdr)),
     (K::Pot, &["pot", "POT"], Some(ImageFormat::Pot)),
 ];
+
+pub(super) static MAPPING: Block<ImageMapping> = Block::new(
+    "image_map",
+    &[
+        Item::new(K::Once, Takes::Nothing(|m| m.once = true), "", "one copy alone; nothing outside of it"),
+        Item::new(
+            K::MapType,
+            Takes::Other("INTEGER", |e, m, _| {
+                m.map_type = match e.integer()? {
+                    1 => MapType::Spherical,
+                    2 => MapType::Cylindrical,
+                    5 => MapType::Torus,
+                    _ => MapType::Planar,
+                };
+                Ok(())
+            }),
+            "0",
+            "0 flat, 1 around a sphere, 2 around a cylinder, 5 around a torus",
+        ),
+        Item::new(
+            K::Interpolate,
+            Takes::Other("INTEGER", |e, m, _| {
+                m.interpolate = match e.integer()? {
+                    n @ 2..=4 => n as u8,
+                    _ => 0,
+                };
+                Ok(())
+            }),
+            "0",
+            "between pixels: 0 not at all, 2 linearly, 3 bicubically, 4 by distance",
+        ),
+        Item::since(
+            370,
+            K::Repeat,
+            Takes::Other("VECTOR2", |e, m, at| {
+                let repeat = e.vector2()?;
+                if repeat.min_element() <= 0.0 {
+                    return e.error(at.span, "an image must be repeated a positive number of times");
+                }
+                m.repeat = repeat.to_array();
+                Ok(())
+            }),
+            "<1, 1>",
+            "how often it stands side by side and on top of each other",
+        ),
+        Item::since(
+            370,
+            K::Offset,
+            Takes::Other("VECTOR2", |e, m, _| {
+                m.offset = e.vector2()?.to_array();
+                Ok(())
+            }),
+            "<0, 0>",
+            "where it begins",
+        ),
+        Item::spelt(
+            K::UseColour,
+            K::UseColor,
+            Takes::Nothing(|m| m.use_index = Some(false)),
+            "",
+            "heights and materials come from colours",
+        ),
+        Item::new(
+            K::UseIndex,
+            Takes::Nothing(|m| m.use_index = Some(true)),
+            "",
+            "heights and materials come from numbers of colours",
+        ),
+        Item::new(K::UseAlpha, Takes::Nothing(|m| m.use_alpha = true), "", "the pattern comes from transparency"),
+    ],
+);
 
 impl Evaluator<'_> {
     /// A picture: `[type] "file"` or `function w, h { … }`, with `gamma` and `premultiplied`.
@@ -144,55 +216,6 @@ impl Evaluator<'_> {
     /// One option of how a picture lies in space, if one comes next.
     pub(super) fn image_option(&mut self, mapping: &mut ImageMapping) -> SourceResult<bool> {
         self.comma()?;
-        let span = self.span();
-        let Some(keyword) = self.keyword()? else { return Ok(false) };
-        match keyword {
-            K::Once => {
-                self.next()?;
-                mapping.once = true;
-            }
-            K::MapType => {
-                self.next()?;
-                mapping.map_type = match self.integer()? {
-                    1 => MapType::Spherical,
-                    2 => MapType::Cylindrical,
-                    5 => MapType::Torus,
-                    _ => MapType::Planar,
-                };
-            }
-            K::Interpolate => {
-                self.next()?;
-                mapping.interpolate = match self.integer()? {
-                    n @ 2..=4 => n as u8,
-                    _ => 0,
-                };
-            }
-            K::Repeat => {
-                self.next()?;
-                let repeat = self.vector2()?;
-                if repeat.min_element() <= 0.0 {
-                    return self.error(span, "an image must be repeated a positive number of times");
-                }
-                mapping.repeat = repeat.to_array();
-            }
-            K::Offset => {
-                self.next()?;
-                mapping.offset = self.vector2()?.to_array();
-            }
-            K::UseColor | K::UseColour => {
-                self.next()?;
-                mapping.use_index = Some(false);
-            }
-            K::UseIndex => {
-                self.next()?;
-                mapping.use_index = Some(true);
-            }
-            K::UseAlpha => {
-                self.next()?;
-                mapping.use_alpha = true;
-            }
-            _ => return Ok(false),
-        }
-        Ok(true)
+        self.item_of(&MAPPING, mapping)
     }
 }

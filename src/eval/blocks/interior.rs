@@ -1,6 +1,7 @@
 //! `interior { … }`, `media { … }` and `density { … }`.
 
 use super::pattern::no_list;
+use super::table::{Block, Item, Takes, Word};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::math::{Color, Rgb};
@@ -11,6 +12,155 @@ use std::sync::Arc;
 
 /// From this language version on, media use the newer defaults.
 const VERSION_WITH_MEDIA_METHOD_3: u32 = 350;
+
+pub(super) static INTERIOR: Block<Interior> = Block::moved(
+    "interior",
+    |_, interior, transform| interior.apply(transform),
+    &[
+        Item::new(K::Ior, Takes::Float(|i| &mut i.ior), "", "how strongly light is bent; 1.5 for glass"),
+        Item::new(K::Caustics, Takes::Float(|i| &mut i.caustics), "0", "strength of faked caustics"),
+        Item::since(350, K::Dispersion, Takes::Float(|i| &mut i.dispersion), "1", "ior of violet by that of red light"),
+        Item::since(
+            350,
+            K::DispersionSamples,
+            Takes::Other("INTEGER", |e, i, at| {
+                let n = e.integer()?;
+                if n < 2 {
+                    return e.error(at.span, "dispersion_samples must be at least 2");
+                }
+                i.dispersion_samples = n.min(i64::from(u32::MAX)) as u32;
+                Ok(())
+            }),
+            "7",
+            "colours into which light is split",
+        ),
+        Item::new(
+            K::FadeDistance,
+            Takes::Float(|i| &mut i.fade_distance),
+            "0",
+            "the way after which half of the light is left",
+        ),
+        Item::new(
+            K::FadePower,
+            Takes::Float(|i| &mut i.fade_power),
+            "0",
+            "how light fades with the way; 1000 and more: exponentially",
+        ),
+        Item::spelt(K::FadeColour, K::FadeColor, Takes::Rgb(|i| &mut i.fade_color), "0", "what light fades to"),
+        Item::new(K::Refraction, Takes::Float(|i| &mut i.refraction), "", "outdated: without effect"),
+        Item::new(
+            K::Media,
+            Takes::Other("{ MEDIA }", |e, i, _| {
+                let media = e.media_block()?;
+                i.media.push(media);
+                Ok(())
+            }),
+            "",
+            "smoke, fire or haze that it is filled with; several add up",
+        ),
+    ],
+);
+
+pub(super) static MEDIA: Block<Media> = Block::moved(
+    "media",
+    |_, media, transform| media.apply(transform),
+    &[
+        Item::new(K::Absorption, Takes::Rgb(|m| &mut m.absorption), "0", "light that is lost on a way of one unit"),
+        Item::new(K::Emission, Takes::Rgb(|m| &mut m.emission), "0", "light that is given off on a way of one unit"),
+        Item::new(
+            K::Scattering,
+            Takes::Other("{ TYPE, COLOUR [eccentricity FLOAT] [extinction FLOAT] }", scattering),
+            "",
+            "light of lights that is scattered on a way of one unit, and how it is spread",
+        ),
+        Item::new(
+            K::Density,
+            Takes::Other("{ DENSITY }", |e, m, _| {
+                let density = e.density_block()?;
+                m.density.push(Arc::new(density));
+                Ok(())
+            }),
+            "",
+            "how dense it is at each point; several are multiplied",
+        ),
+        Item::since(
+            350,
+            K::Method,
+            Takes::Other("INTEGER", |e, m, at| {
+                m.method = match e.integer()? {
+                    n @ 1..=3 => n as u8,
+                    n => return e.error(at.span, format!("there is no media method {n}; use 1, 2 or 3")),
+                };
+                Ok(())
+            }),
+            "3",
+            "how it is sampled: 1 at random, 2 evenly, 3 adaptively",
+        ),
+        Item::new(
+            K::Intervals,
+            Takes::Other("INTEGER", |e, m, at| {
+                m.intervals = at_least_one(e, at)?;
+                Ok(())
+            }),
+            "1",
+            "parts of a ray that are sampled by themselves",
+        ),
+        Item::new(
+            K::Samples,
+            Takes::Other("INTEGER [, INTEGER]", |e, m, at| {
+                let min = at_least_one(e, at)?;
+                e.comma()?;
+                let max = if e.starts_expression()? { at_least_one(e, at)? } else { min };
+                if max < min {
+                    return e.error(at.span, "the largest number of samples is below the smallest");
+                }
+                m.samples = [min, max];
+                Ok(())
+            }),
+            "10",
+            "samples of each part, at least and at most",
+        ),
+        Item::since(
+            350,
+            K::AaLevel,
+            Takes::Other("INTEGER", |e, m, at| {
+                m.aa_level = at_least_one(e, at)?;
+                Ok(())
+            }),
+            "3",
+            "how often method 3 halves a step",
+        ),
+        Item::since(
+            350,
+            K::AaThreshold,
+            Takes::Other("FLOAT", |e, m, at| {
+                m.aa_threshold = e.float()?;
+                if m.aa_threshold <= 0.0 {
+                    return e.error(at.span, "aa_threshold must be positive");
+                }
+                Ok(())
+            }),
+            "0.1",
+            "difference from which method 3 does so",
+        ),
+        Item::since(350, K::Jitter, Takes::Float(|m| &mut m.jitter), "0", "how much samples are moved at random"),
+        Item::new(
+            K::Confidence,
+            Takes::Other("FLOAT", |e, m, at| {
+                m.confidence = e.float()?;
+                if !(0.0..1.0).contains(&m.confidence) {
+                    return e.error(at.span, "confidence must be at least 0 and less than 1");
+                }
+                Ok(())
+            }),
+            "0.9",
+            "how sure methods 1 and 2 must be to take no more samples",
+        ),
+        Item::new(K::Variance, Takes::Float(|m| &mut m.variance), "1/128", "how much samples may differ for that"),
+        Item::new(K::Ratio, Takes::Float(|m| &mut m.ratio), "0.9", "share of samples in lit parts of a ray"),
+        Item::since(350, K::Collect, Takes::Switch(|m| &mut m.collect), "on", "whether photons are kept in it"),
+    ],
+);
 
 impl Evaluator<'_> {
     /// `{ … }` after `interior`, changing what the object has already.
@@ -23,53 +173,12 @@ impl Evaluator<'_> {
         interior.span = span;
         loop {
             self.comma()?;
-            if let Some(transform) = self.transformation()? {
-                interior.apply(&transform);
-                continue;
-            }
-            match self.keyword()? {
-                Some(keyword) if self.interior_item(keyword, &mut interior)? => {}
-                _ => break,
+            if !self.item_of(&INTERIOR, &mut interior)? {
+                break;
             }
         }
-        self.close("interior")?;
+        self.close_of(&INTERIOR)?;
         Ok(interior)
-    }
-
-    fn interior_item(&mut self, keyword: K, interior: &mut Interior) -> SourceResult<bool> {
-        let span = self.span();
-        let target = match keyword {
-            K::Ior => &mut interior.ior,
-            K::Caustics => &mut interior.caustics,
-            K::Dispersion => &mut interior.dispersion,
-            K::FadeDistance => &mut interior.fade_distance,
-            K::FadePower => &mut interior.fade_power,
-            K::Refraction => &mut interior.refraction,
-            K::FadeColor | K::FadeColour => {
-                self.next()?;
-                interior.fade_color = self.rgb_only("fade_color")?;
-                return Ok(true);
-            }
-            K::DispersionSamples => {
-                self.next()?;
-                let n = self.integer()?;
-                if n < 2 {
-                    return self.error(span, "dispersion_samples must be at least 2");
-                }
-                interior.dispersion_samples = n.min(i64::from(u32::MAX)) as u32;
-                return Ok(true);
-            }
-            K::Media => {
-                self.next()?;
-                let media = self.media_block()?;
-                interior.media.push(media);
-                return Ok(true);
-            }
-            _ => return Ok(false),
-        };
-        self.next()?;
-        *target = self.float()?;
-        Ok(true)
     }
 
     /// What a `media` block starts from under the version in force.
@@ -104,132 +213,12 @@ impl Evaluator<'_> {
         media.span = span;
         loop {
             self.comma()?;
-            if let Some(transform) = self.transformation()? {
-                media.apply(&transform);
-                continue;
-            }
-            match self.keyword()? {
-                Some(keyword) if self.media_item(keyword, &mut media)? => {}
-                _ => break,
-            }
-        }
-        self.close("media")?;
-        Ok(media)
-    }
-
-    fn media_item(&mut self, keyword: K, media: &mut Media) -> SourceResult<bool> {
-        let span = self.span();
-        let float_target = match keyword {
-            K::Jitter => Some(&mut media.jitter),
-            K::AaThreshold => Some(&mut media.aa_threshold),
-            K::Confidence => Some(&mut media.confidence),
-            K::Variance => Some(&mut media.variance),
-            K::Ratio => Some(&mut media.ratio),
-            _ => None,
-        };
-        if let Some(target) = float_target {
-            self.next()?;
-            let value = self.float()?;
-            *target = value;
-            return self.media_number(span, keyword, value);
-        }
-        match keyword {
-            K::Method => {
-                self.next()?;
-                media.method = match self.integer()? {
-                    n @ 1..=3 => n as u8,
-                    n => return self.error(span, format!("there is no media method {n}; use 1, 2 or 3")),
-                };
-            }
-            K::Intervals => {
-                self.next()?;
-                media.intervals = self.at_least_one(span, "intervals")?;
-            }
-            K::AaLevel => {
-                self.next()?;
-                media.aa_level = self.at_least_one(span, "aa_level")?;
-            }
-            K::Samples => {
-                self.next()?;
-                let min = self.at_least_one(span, "samples")?;
-                self.comma()?;
-                let max = if self.starts_expression()? { self.at_least_one(span, "samples")? } else { min };
-                if max < min {
-                    return self.error(span, "the largest number of samples is below the smallest");
-                }
-                media.samples = [min, max];
-            }
-            K::Absorption => {
-                self.next()?;
-                media.absorption = self.rgb_only("absorption")?;
-            }
-            K::Emission => {
-                self.next()?;
-                media.emission = self.rgb_only("emission")?;
-            }
-            K::Scattering => {
-                self.next()?;
-                self.scattering(media)?;
-            }
-            K::Density => {
-                self.next()?;
-                let density = self.density_block()?;
-                media.density.push(Arc::new(density));
-            }
-            K::Collect => {
-                self.next()?;
-                media.collect = self.optional_bool()?;
-            }
-            _ => return Ok(false),
-        }
-        Ok(true)
-    }
-
-    /// Numbers outside of their range are errors, as in POV-Ray.
-    fn media_number(&mut self, span: Span, keyword: K, value: f64) -> SourceResult<bool> {
-        match keyword {
-            K::AaThreshold if value <= 0.0 => self.error(span, "aa_threshold must be positive"),
-            K::Confidence if !(0.0..1.0).contains(&value) => {
-                self.error(span, "confidence must be at least 0 and less than 1")
-            }
-            _ => Ok(true),
-        }
-    }
-
-    fn at_least_one(&mut self, span: Span, what: &str) -> SourceResult<u32> {
-        match self.integer()? {
-            n if n >= 1 => Ok(n.min(i64::from(u32::MAX)) as u32),
-            _ => self.error(span, format!("{what} must be at least 1")),
-        }
-    }
-
-    fn scattering(&mut self, media: &mut Media) -> SourceResult<()> {
-        self.open("scattering")?;
-        let span = self.span();
-        let mut kind = self.integer()?;
-        if !(1..=5).contains(&kind) {
-            self.warn(Topic::Range, span, format!("there is no scattering type {kind}; type 1 is used"));
-            kind = 1;
-        }
-        self.comma()?;
-        let color = self.rgb_only("scattering")?;
-        let (mut eccentricity, mut extinction) = (0.0, 1.0);
-        loop {
-            self.comma()?;
-            let span = self.span();
-            if self.accept(K::Eccentricity)? {
-                eccentricity = self.float()?;
-                if kind != 5 {
-                    return self.error(span, "eccentricity belongs to scattering type 5");
-                }
-            } else if self.accept(K::Extinction)? {
-                extinction = self.float()?;
-            } else {
+            if !self.item_of(&MEDIA, &mut media)? {
                 break;
             }
         }
-        media.scattering = (kind as u8, color, eccentricity, extinction);
-        self.close("scattering")
+        self.close_of(&MEDIA)?;
+        Ok(media)
     }
 
     /// `{ … }` after `density`.
@@ -301,6 +290,42 @@ impl Evaluator<'_> {
         }
         Ok(more)
     }
+}
+
+fn at_least_one(e: &mut Evaluator<'_>, at: Word) -> SourceResult<u32> {
+    match e.integer()? {
+        n if n >= 1 => Ok(n.min(i64::from(u32::MAX)) as u32),
+        _ => e.error(at.span, format!("{} must be at least 1", at.word.word())),
+    }
+}
+
+fn scattering(e: &mut Evaluator<'_>, media: &mut Media, _: Word) -> SourceResult<()> {
+    e.open("scattering")?;
+    let span = e.span();
+    let mut kind = e.integer()?;
+    if !(1..=5).contains(&kind) {
+        e.warn(Topic::Range, span, format!("there is no scattering type {kind}; type 1 is used"));
+        kind = 1;
+    }
+    e.comma()?;
+    let color = e.rgb_only("scattering")?;
+    let (mut eccentricity, mut extinction) = (0.0, 1.0);
+    loop {
+        e.comma()?;
+        let span = e.span();
+        if e.accept(K::Eccentricity)? {
+            eccentricity = e.float()?;
+            if kind != 5 {
+                return e.error(span, "eccentricity belongs to scattering type 5");
+            }
+        } else if e.accept(K::Extinction)? {
+            extinction = e.float()?;
+        } else {
+            break;
+        }
+    }
+    media.scattering = (kind as u8, color, eccentricity, extinction);
+    e.close("scattering")
 }
 
 fn density_pattern(density: &Density) -> Pattern {

@@ -1,6 +1,8 @@
 //! Layers of textures, and `material { … }`.
 
 use super::object::in_place;
+use super::table::{Block, Item, Takes, Word};
+use super::texture::LAYER;
 use crate::diag::{SourceResult, Span};
 use crate::eval::{Evaluator, Value};
 use crate::scene::{Interior, PlacedTexture, Texture, TextureLayer};
@@ -72,26 +74,22 @@ impl Evaluator<'_> {
     }
 
     /// `pigment`, `normal` or `finish` of an object: a part of its texture's top layer.
-    pub(super) fn change_top_layer(
-        &mut self,
-        placed: Option<PlacedTexture>,
-        span: Span,
-    ) -> SourceResult<PlacedTexture> {
+    pub(super) fn change_top_layer(&mut self, placed: Option<PlacedTexture>, at: Word) -> SourceResult<PlacedTexture> {
         let mut texture = placed.map_or_else(|| self.defaults.texture(), in_place);
-        self.change_top(&mut texture, span)?;
+        self.change_top(&mut texture, at)?;
         Ok(PlacedTexture::new(texture))
     }
 
-    fn change_top(&mut self, texture: &mut Arc<Texture>, span: Span) -> SourceResult<()> {
+    fn change_top(&mut self, texture: &mut Arc<Texture>, at: Word) -> SourceResult<()> {
         match Arc::make_mut(texture) {
             Texture::Layers(layers) => {
                 if let Some(top) = layers.last_mut() {
-                    self.layer_item(top)?;
+                    self.item_behind(&LAYER, top, at)?;
                 }
                 Ok(())
             }
             Texture::Patterned(_) => {
-                self.error(span, "a patterned texture takes no pigment, normal or finish of its own")
+                self.error(at.span, "a patterned texture takes no pigment, normal or finish of its own")
             }
         }
     }
@@ -101,46 +99,63 @@ impl Evaluator<'_> {
         self.open("material")?;
         let pick = |v: &Value| if let Value::Material(m) = v { Some((**m).clone()) } else { None };
         let mut material = self.take_declared(pick)?.unwrap_or_default();
-        while self.material_item(&mut material)? {}
-        self.close("material")?;
+        while self.item_of(&MATERIAL, &mut material)? {}
+        self.close_of(&MATERIAL)?;
         Ok(material)
     }
+}
 
-    fn material_item(&mut self, material: &mut Material) -> SourceResult<bool> {
-        let span = self.span();
-        if let Some(transform) = self.transformation()? {
-            for texture in [&mut material.texture, &mut material.interior_texture].into_iter().flatten() {
-                Arc::make_mut(texture).apply(&transform);
-            }
-            if let Some(interior) = &mut material.interior {
-                Arc::make_mut(interior).apply(&transform);
-            }
-            return Ok(true);
+pub(super) static MATERIAL: Block<Material> = Block::moved(
+    "material",
+    |_, material, transform| {
+        for texture in [&mut material.texture, &mut material.interior_texture].into_iter().flatten() {
+            Arc::make_mut(texture).apply(transform);
         }
-        match self.keyword()? {
-            Some(K::Texture) => {
-                self.next()?;
-                let texture = self.texture_block()?;
-                material.texture = Some(self.stack(material.texture.take(), texture, span)?);
-            }
-            Some(K::InteriorTexture) => {
-                self.next()?;
-                let texture = self.texture_block()?;
-                material.interior_texture = Some(self.stack(material.interior_texture.take(), texture, span)?);
-            }
-            Some(K::Pigment | K::Normal | K::Finish) => {
-                let mut texture = material.texture.take().unwrap_or_else(|| self.defaults.texture());
-                self.change_top(&mut texture, span)?;
-                material.texture = Some(texture);
-            }
-            Some(K::Interior) => {
-                self.next()?;
-                material.interior = Some(Arc::new(self.interior_block(material.interior.take())?));
-            }
-            _ => return Ok(false),
+        if let Some(interior) = &mut material.interior {
+            Arc::make_mut(interior).apply(transform);
         }
-        Ok(true)
-    }
+    },
+    &[
+        Item::new(
+            K::Texture,
+            Takes::Other("{ TEXTURE }", |e, material, at| {
+                let texture = e.texture_block()?;
+                material.texture = Some(e.stack(material.texture.take(), texture, at.span)?);
+                Ok(())
+            }),
+            "",
+            "what the surface looks like; several are layers",
+        ),
+        Item::new(
+            K::InteriorTexture,
+            Takes::Other("{ TEXTURE }", |e, material, at| {
+                let texture = e.texture_block()?;
+                material.interior_texture = Some(e.stack(material.interior_texture.take(), texture, at.span)?);
+                Ok(())
+            }),
+            "",
+            "what the surface looks like from inside",
+        ),
+        Item::new(K::Pigment, Takes::Other("{ PIGMENT }", change_top), "", "colours of the uppermost layer"),
+        Item::new(K::Normal, Takes::Other("{ NORMAL }", change_top), "", "bumps of the uppermost layer"),
+        Item::new(K::Finish, Takes::Other("{ FINISH }", change_top), "", "how the uppermost layer shines"),
+        Item::new(
+            K::Interior,
+            Takes::Other("{ INTERIOR }", |e, material, _| {
+                material.interior = Some(Arc::new(e.interior_block(material.interior.take())?));
+                Ok(())
+            }),
+            "",
+            "what it is filled with",
+        ),
+    ],
+);
+
+fn change_top(e: &mut Evaluator<'_>, material: &mut Material, at: Word) -> SourceResult<()> {
+    let mut texture = material.texture.take().unwrap_or_else(|| e.defaults.texture());
+    e.change_top(&mut texture, at)?;
+    material.texture = Some(texture);
+    Ok(())
 }
 
 /// Marks a texture's layers as upper ones of an old scene, its lowest only where it lies over others.

@@ -1,5 +1,6 @@
 //! `light_source { … }` and `light_group { … }`.
 
+use super::table::{Block, Item, Takes, Word};
 use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
 use crate::math::{DVec3, Transform};
@@ -10,7 +11,7 @@ use std::sync::Arc;
 const NOT_ADAPTIVE: u32 = AreaLight::NOT_ADAPTIVE;
 
 /// Modifiers that refer to each other and are put together at the closing brace.
-struct Draft {
+pub(super) struct Draft {
     light: LightSource,
     adaptive: u32,
     jitter: bool,
@@ -18,6 +19,144 @@ struct Draft {
     orient: bool,
     area_illumination: bool,
 }
+
+pub(super) static LIGHT_SOURCE: Block<Draft> = Block::moved(
+    "light_source",
+    |_, draft, transform| {
+        draft.light.axis = (draft.light.point_at - draft.light.location).normalize_or(DVec3::Z);
+        draft.light.apply(transform);
+    },
+    &[
+        Item::new(
+            K::Spotlight,
+            Takes::Nothing(|d| d.light.kind = LightKind::Spot { radius_deg: 30.0, falloff_deg: 45.0, tightness: 0.0 }),
+            "",
+            "a cone of light",
+        ),
+        Item::new(
+            K::Cylinder,
+            Takes::Nothing(|d| {
+                d.light.kind = LightKind::Cylinder { radius: 0.75, falloff: 1.0, tightness: 0.0 };
+                d.light.parallel = true;
+            }),
+            "",
+            "a beam of light",
+        ),
+        Item::new(
+            K::Shadowless,
+            Takes::Nothing(|d| d.light.kind = LightKind::Shadowless),
+            "",
+            "no shadows, no highlights",
+        ),
+        Item::since(
+            350,
+            K::Parallel,
+            Takes::Nothing(|d| d.light.parallel = true),
+            "",
+            "parallel light, as from the sun",
+        ),
+        Item::new(K::PointAt, Takes::Vector(|d| &mut d.light.point_at), "z", "where a cone or beam points"),
+        Item::new(
+            K::Radius,
+            Takes::Other("FLOAT", cone),
+            "30",
+            "of full light: half an angle in degrees; 0.75 in a cylinder",
+        ),
+        Item::new(
+            K::Falloff,
+            Takes::Other("FLOAT", cone),
+            "45",
+            "of any light: half an angle in degrees; 1 in a cylinder",
+        ),
+        Item::new(K::Tightness, Takes::Other("FLOAT", cone), "0", "how fast light falls off from the middle"),
+        Item::new(
+            K::FadeDistance,
+            Takes::Float(|d| &mut d.light.fade_distance),
+            "0",
+            "distance at which it is as bright as its colour says",
+        ),
+        Item::new(
+            K::FadePower,
+            Takes::Float(|d| &mut d.light.fade_power),
+            "0",
+            "power of the distance by which it fades; 2 in nature",
+        ),
+        Item::new(
+            K::MediaAttenuation,
+            Takes::Switch(|d| &mut d.light.media_attenuation),
+            "off",
+            "whether media weaken it",
+        ),
+        Item::new(
+            K::MediaInteraction,
+            Takes::Switch(|d| &mut d.light.media_interaction),
+            "on",
+            "whether media scatter it",
+        ),
+        Item::new(
+            K::LooksLike,
+            Takes::Other("{ OBJECT }", |e, d, _| e.looks_like(&mut d.light)),
+            "",
+            "an object at its place that casts no shadow of it",
+        ),
+        Item::since(
+            350,
+            K::ProjectedThrough,
+            Takes::Other("{ OBJECT }", |e, d, _| {
+                d.light.projected_through = Some(e.wrapped_object("projected_through", &Transform::IDENTITY)?);
+                Ok(())
+            }),
+            "",
+            "an object through which alone it shines",
+        ),
+        Item::since(
+            350,
+            K::Photons,
+            Takes::Other("{ items }", |e, d, _| {
+                d.light.photons = e.photons_block(d.light.photons)?;
+                Ok(())
+            }),
+            "",
+            "whether photons are shot",
+        ),
+        Item::spelt(
+            K::ColourMap,
+            K::ColorMap,
+            Takes::Other("{ ENTRIES }", |e, d, _| {
+                let map = e.color_map()?;
+                d.light.color = map.iter().map(|entry| entry.item.rgb * entry.value).sum();
+                Ok(())
+            }),
+            "",
+            "its colour as a sum",
+        ),
+        Item::new(
+            K::AreaLight,
+            Takes::Other("VECTOR, VECTOR, INTEGER, INTEGER", area_light),
+            "",
+            "a grid of lights along two edges, for soft shadows",
+        ),
+        Item::new(
+            K::Adaptive,
+            Takes::Other("INTEGER", |e, d, _| {
+                d.adaptive = e.integer()?.clamp(0, i64::from(NOT_ADAPTIVE)) as u32;
+                Ok(())
+            }),
+            "",
+            "level from which lights of the grid are left out between equal ones",
+        ),
+        Item::new(K::Jitter, Takes::Nothing(|d| d.jitter = true), "", "lights of the grid are moved at random"),
+        Item::since(350, K::Circular, Takes::Nothing(|d| d.circular = true), "", "a disc instead of a rectangle"),
+        Item::since(350, K::Orient, Takes::Nothing(|d| d.orient = true), "", "turned towards each point"),
+        Item::since(
+            370,
+            K::AreaIllumination,
+            Takes::Switch(|d| &mut d.area_illumination),
+            "off",
+            "the whole grid shines, not only its middle",
+        ),
+    ],
+);
 
 impl Evaluator<'_> {
     /// The inside of a light source after its opening brace, up to the closing brace.
@@ -91,140 +230,7 @@ impl Evaluator<'_> {
 
     fn light_item(&mut self, draft: &mut Draft) -> SourceResult<bool> {
         self.comma()?;
-        if let Some(transform) = self.transformation()? {
-            draft.light.axis = (draft.light.point_at - draft.light.location).normalize_or(DVec3::Z);
-            draft.light.apply(&transform);
-            return Ok(true);
-        }
-        let span = self.span();
-        let Some(keyword) = self.keyword()? else { return Ok(false) };
-        let light = &mut draft.light;
-        match keyword {
-            K::Spotlight => {
-                self.next()?;
-                light.kind = LightKind::Spot { radius_deg: 30.0, falloff_deg: 45.0, tightness: 0.0 };
-            }
-            K::Cylinder => {
-                self.next()?;
-                light.kind = LightKind::Cylinder { radius: 0.75, falloff: 1.0, tightness: 0.0 };
-                light.parallel = true;
-            }
-            K::Shadowless => {
-                self.next()?;
-                light.kind = LightKind::Shadowless;
-            }
-            K::Parallel => {
-                self.next()?;
-                light.parallel = true;
-            }
-            K::PointAt => {
-                self.next()?;
-                light.point_at = self.vector()?;
-            }
-            K::Radius | K::Falloff | K::Tightness => {
-                self.next()?;
-                let value = self.float()?;
-                match (&mut light.kind, keyword) {
-                    (LightKind::Spot { radius_deg: field, .. }, K::Radius)
-                    | (LightKind::Spot { falloff_deg: field, .. }, K::Falloff)
-                    | (LightKind::Spot { tightness: field, .. }, K::Tightness)
-                    | (LightKind::Cylinder { radius: field, .. }, K::Radius)
-                    | (LightKind::Cylinder { falloff: field, .. }, K::Falloff)
-                    | (LightKind::Cylinder { tightness: field, .. }, K::Tightness) => *field = value,
-                    _ => {
-                        let word = keyword.word();
-                        return self.error(span, format!("'{word}' belongs after 'spotlight' or 'cylinder'"));
-                    }
-                }
-            }
-            K::FadeDistance => {
-                self.next()?;
-                light.fade_distance = self.float()?;
-            }
-            K::FadePower => {
-                self.next()?;
-                light.fade_power = self.float()?;
-            }
-            K::MediaAttenuation => {
-                self.next()?;
-                light.media_attenuation = self.optional_bool()?;
-            }
-            K::MediaInteraction => {
-                self.next()?;
-                light.media_interaction = self.optional_bool()?;
-            }
-            K::LooksLike => {
-                self.next()?;
-                self.looks_like(light)?;
-            }
-            K::ProjectedThrough => {
-                self.next()?;
-                light.projected_through = Some(self.wrapped_object("projected_through", &Transform::IDENTITY)?);
-            }
-            K::Photons => {
-                self.next()?;
-                light.photons = self.photons_block(light.photons)?;
-            }
-            K::ColorMap | K::ColourMap => {
-                self.next()?;
-                let map = self.color_map()?;
-                light.color = map.iter().map(|entry| entry.item.rgb * entry.value).sum();
-            }
-            _ => return self.area_item(keyword, draft),
-        }
-        Ok(true)
-    }
-
-    fn area_item(&mut self, keyword: K, draft: &mut Draft) -> SourceResult<bool> {
-        let span = self.span();
-        match keyword {
-            K::AreaLight => {
-                self.next()?;
-                let axis1 = self.vector()?;
-                self.comma()?;
-                let axis2 = self.vector()?;
-                self.comma()?;
-                let size1 = self.integer()?;
-                self.comma()?;
-                let size2 = self.integer()?;
-                if size1 < 1 || size2 < 1 {
-                    return self.error(span, "an area light needs at least one sample along each axis");
-                }
-                draft.light.area = Some(AreaLight {
-                    axis1,
-                    axis2,
-                    size1: size1.min(4096) as u32,
-                    size2: size2.min(4096) as u32,
-                    adaptive: NOT_ADAPTIVE,
-                    jitter: false,
-                    circular: false,
-                    orient: false,
-                    area_illumination: false,
-                });
-            }
-            K::Adaptive => {
-                self.next()?;
-                draft.adaptive = self.integer()?.clamp(0, i64::from(NOT_ADAPTIVE)) as u32;
-            }
-            K::Jitter => {
-                self.next()?;
-                draft.jitter = true;
-            }
-            K::Circular => {
-                self.next()?;
-                draft.circular = true;
-            }
-            K::Orient => {
-                self.next()?;
-                draft.orient = true;
-            }
-            K::AreaIllumination => {
-                self.next()?;
-                draft.area_illumination = self.optional_bool()?;
-            }
-            _ => return Ok(false),
-        }
-        Ok(true)
+        self.item_of(&LIGHT_SOURCE, draft)
     }
 
     /// The object is moved to the light's location as it is now; what follows inside the braces
@@ -269,4 +275,47 @@ impl Evaluator<'_> {
         object.shape = Shape::LightGroup { children: children.into(), global_lights };
         Ok(())
     }
+}
+
+/// `radius`, `falloff` and `tightness`, which mean something else in a cone and in a beam.
+fn cone(e: &mut Evaluator<'_>, draft: &mut Draft, at: Word) -> SourceResult<()> {
+    let value = e.float()?;
+    match (&mut draft.light.kind, at.word) {
+        (LightKind::Spot { radius_deg: field, .. }, K::Radius)
+        | (LightKind::Spot { falloff_deg: field, .. }, K::Falloff)
+        | (LightKind::Spot { tightness: field, .. }, K::Tightness)
+        | (LightKind::Cylinder { radius: field, .. }, K::Radius)
+        | (LightKind::Cylinder { falloff: field, .. }, K::Falloff)
+        | (LightKind::Cylinder { tightness: field, .. }, K::Tightness) => *field = value,
+        _ => {
+            let word = at.word.word();
+            return e.error(at.span, format!("'{word}' belongs after 'spotlight' or 'cylinder'"));
+        }
+    }
+    Ok(())
+}
+
+fn area_light(e: &mut Evaluator<'_>, draft: &mut Draft, at: Word) -> SourceResult<()> {
+    let axis1 = e.vector()?;
+    e.comma()?;
+    let axis2 = e.vector()?;
+    e.comma()?;
+    let size1 = e.integer()?;
+    e.comma()?;
+    let size2 = e.integer()?;
+    if size1 < 1 || size2 < 1 {
+        return e.error(at.span, "an area light needs at least one sample along each axis");
+    }
+    draft.light.area = Some(AreaLight {
+        axis1,
+        axis2,
+        size1: size1.min(4096) as u32,
+        size2: size2.min(4096) as u32,
+        adaptive: NOT_ADAPTIVE,
+        jitter: false,
+        circular: false,
+        orient: false,
+        area_illumination: false,
+    });
+    Ok(())
 }

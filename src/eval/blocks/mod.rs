@@ -17,6 +17,7 @@ mod layers;
 mod light;
 mod maps;
 mod mesh;
+mod modifiers;
 mod normal;
 mod object;
 mod pattern;
@@ -24,12 +25,17 @@ mod pigment;
 mod settings;
 mod shape;
 mod spline;
+mod table;
+#[cfg(test)]
+mod tests;
 mod texture;
 
 pub use camera::CameraStatement;
 pub use defaults::Defaults;
 pub use layers::Material;
 pub(super) use object::is_object_keyword;
+pub use table::Described;
+pub(super) use table::{Table, with_words};
 
 use super::{Evaluator, Value};
 use crate::diag::{SourceResult, Topic};
@@ -37,6 +43,35 @@ use crate::scene::{Blend, MapEntry};
 use crate::syntax::Keyword as K;
 use std::rc::Rc;
 use std::sync::Arc;
+
+/// All tables.
+static TABLES: &[&dyn Table] = &[
+    &atmosphere::FOG,
+    &atmosphere::RAINBOW,
+    &camera::CAMERA_TYPES,
+    &camera::CAMERA,
+    &finish::FINISH,
+    &finish::IRID,
+    &finish::REFLECTION,
+    &finish::SUBSURFACE,
+    &global_light::PHOTONS,
+    &global_light::RADIOSITY,
+    &global_light::SUBSURFACE,
+    &image::MAPPING,
+    &interior::INTERIOR,
+    &interior::MEDIA,
+    &layers::MATERIAL,
+    &light::LIGHT_SOURCE,
+    &modifiers::MODIFIERS,
+    &modifiers::PHOTONS,
+    &settings::GLOBAL_SETTINGS,
+    &texture::LAYER,
+];
+
+/// Blocks by their names, with the words that they take.
+pub fn described() -> impl Iterator<Item = (&'static str, Vec<Described>)> {
+    TABLES.iter().map(|table| (table.name(), table.words()))
+}
 
 impl Evaluator<'_> {
     /// One item of the scene level, if one comes next.
@@ -87,7 +122,7 @@ impl Evaluator<'_> {
                 let media = self.media_block()?;
                 self.scene.media.push(media);
             }
-            K::MaxTraceLevel | K::MaxIntersections => return self.setting(),
+            K::MaxTraceLevel | K::MaxIntersections => return self.item_of(&settings::GLOBAL_SETTINGS, &mut ()),
             _ => return Ok(false),
         }
         Ok(true)

@@ -1,11 +1,59 @@
 //! `texture { … }`.
 
+use super::table::{Block, Item, Takes};
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
 use crate::scene::{Blend, Normal, Pattern, PatternKind, PatternedTexture, Pigment, Texture, TextureLayer};
 use crate::stack::roomy;
 use crate::syntax::{Keyword as K, TokenKind};
 use std::sync::Arc;
+
+/// What a layer is made of.
+pub(super) static LAYER: Block<TextureLayer> = Block::new(
+    "texture",
+    &[
+        Item::new(
+            K::Pigment,
+            Takes::Other("{ PIGMENT }", |e, layer, _| {
+                let mut start = (*layer.pigment).clone();
+                // What the block leaves of an upper layer stays as it was made of it.
+                if std::mem::take(&mut layer.unfiltered) {
+                    start.unfilter();
+                }
+                layer.pigment = Arc::new(e.pigment_block(start)?);
+                Ok(())
+            }),
+            "",
+            "its colours",
+        ),
+        Item::new(
+            K::Normal,
+            Takes::Other("{ NORMAL }", |e, layer, _| {
+                layer.normal = e.normal_block(layer.normal.clone())?;
+                Ok(())
+            }),
+            "",
+            "its bumps",
+        ),
+        Item::new(
+            K::Finish,
+            Takes::Other("{ FINISH }", |e, layer, _| {
+                let start = (*layer.finish).clone();
+                layer.finish = e.shared_finish_block(start)?;
+                Ok(())
+            }),
+            "",
+            "how it shines and mirrors",
+        ),
+        Item::since(
+            350,
+            K::NoBumpScale,
+            Takes::Nothing(|layer| layer.no_bump_scale = true),
+            "",
+            "bumps keep their depth when it is scaled",
+        ),
+    ],
+);
 
 impl Evaluator<'_> {
     /// `{ … }` after `texture`.
@@ -83,32 +131,9 @@ impl Evaluator<'_> {
     /// A pigment, normal or finish that replaces a part of `layer`; also their bare identifiers.
     pub(super) fn layer_item(&mut self, layer: &mut TextureLayer) -> SourceResult<bool> {
         match self.keyword()? {
-            Some(K::Pigment) => {
-                self.next()?;
-                let mut start = (*layer.pigment).clone();
-                // What the block leaves of an upper layer stays as it was made of it.
-                if std::mem::take(&mut layer.unfiltered) {
-                    start.unfilter();
-                }
-                layer.pigment = Arc::new(self.pigment_block(start)?);
-            }
-            Some(K::Normal) => {
-                self.next()?;
-                layer.normal = self.normal_block(layer.normal.clone())?;
-            }
-            Some(K::Finish) => {
-                self.next()?;
-                let start = (*layer.finish).clone();
-                layer.finish = self.shared_finish_block(start)?;
-            }
-            Some(K::NoBumpScale) => {
-                self.next()?;
-                layer.no_bump_scale = true;
-            }
-            Some(_) => return Ok(false),
-            None => return self.layer_identifier(layer),
+            Some(_) => self.item_of(&LAYER, layer),
+            None => self.layer_identifier(layer),
         }
-        Ok(true)
     }
 
     fn layer_identifier(&mut self, layer: &mut TextureLayer) -> SourceResult<bool> {

@@ -243,7 +243,7 @@ impl Cursor {
         &self,
         held: Option<&Token>,
         full: bool,
-        is_macro: &dyn Fn(Symbol) -> bool,
+        is_macro: impl Fn(Symbol) -> bool,
     ) -> Option<(Rc<Formula>, usize)> {
         let piece = self.tokens.as_ref()?;
         if self.run.is_some() {
@@ -263,7 +263,7 @@ impl Cursor {
         if start >= self.limit {
             return None;
         }
-        Some((piece.formula(start, full, self.source.text(), is_macro)?, start))
+        Some((piece.formula(start, full, self.source.text(), &is_macro)?, start))
     }
 
     /// The statement that comes next, or begins so many tokens before; and the index of its first token.
@@ -271,13 +271,13 @@ impl Cursor {
     pub(in crate::eval) fn statement(
         &self,
         before: usize,
-        is_macro: &dyn Fn(Symbol) -> bool,
+        is_macro: impl Fn(Symbol) -> bool,
     ) -> Option<(Rc<Statement>, usize)> {
         let (piece, start) = (self.tokens.as_ref()?, self.index.checked_sub(before)?);
         if start >= self.limit || self.run.is_some() {
             return None;
         }
-        let statement = piece.statement(start, self.source.text(), is_macro)?;
+        let statement = piece.statement(start, self.source.text(), &is_macro)?;
         // Behind a macro's last statement its caller goes on, maybe with a semicolon.
         (start + statement.length < self.limit).then_some((statement, start))
     }

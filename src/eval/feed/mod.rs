@@ -32,15 +32,6 @@ pub(super) struct Feed {
 #[derive(Debug)]
 pub(super) struct Held(Option<Token>, bool);
 
-/// Why a branch was not skipped.
-#[derive(Debug)]
-pub(super) enum Unskipped {
-    /// Something is malformed on the way.
-    Bad(Token),
-    /// The file or macro ends before.
-    Over,
-}
-
 /// What is held back.
 impl Feed {
     /// The token held back, whatever has run in front of it.
@@ -160,7 +151,7 @@ impl Feed {
 
     /// The formula that comes next, the token held back being part of it, and the number of its first token.
     #[inline]
-    pub(super) fn formula(&self, full: bool, is_macro: &dyn Fn(Symbol) -> bool) -> Option<(Rc<Formula>, usize)> {
+    pub(super) fn formula(&self, full: bool, is_macro: impl Fn(Symbol) -> bool) -> Option<(Rc<Formula>, usize)> {
         self.cursors.last()?.formula(self.ahead.as_ref(), full, is_macro)
     }
 
@@ -174,18 +165,16 @@ impl Feed {
         self.release();
     }
 
-    /// The statement that comes next, or begins so many tokens before, if no token is held back; and the number of its
-    /// first token.
+    /// The statement that comes next, or begins so many tokens before, and the number of its first token; no token may be
+    /// held back.
     #[inline]
-    pub(super) fn statement(&self, before: usize, is_macro: &dyn Fn(Symbol) -> bool) -> Option<(Rc<Statement>, usize)> {
-        if self.ahead.is_some() {
-            return None;
-        }
+    pub(super) fn statement(&self, before: usize, is_macro: impl Fn(Symbol) -> bool) -> Option<(Rc<Statement>, usize)> {
         self.cursors.last()?.statement(before, is_macro)
     }
 
     /// Reads literal vectors while more of them follow, the one held back first; the last one of a run stays, since an
     /// operator may come behind it.
+    #[inline]
     pub(super) fn take_vectors(&mut self, n: usize, mut take: impl FnMut([f64; 5], u8)) {
         // The held back vector goes first, and only if a comma and another one follow it.
         let Some(cursor) = self.cursors.last_mut() else { return };
@@ -247,16 +236,22 @@ impl Feed {
     }
 
     /// Skips to the directive that ends the current branch, which must stand in the same file or macro.
-    pub(super) fn skip_branch(&mut self, words: &mut Words) -> Result<Directive, Unskipped> {
-        let Some(cursor) = self.cursors.last_mut() else { return Err(Unskipped::Over) };
-        match cursor.source.branch_end(cursor.position(), words) {
-            Ok((to, directive)) if cursor.end.is_none_or(|end| to <= end) => {
-                cursor.jump(to, words);
-                Ok(directive)
-            }
-            Err(Some(bad)) => Err(Unskipped::Bad(bad)),
-            Ok(_) | Err(None) => Err(Unskipped::Over),
+    #[inline]
+    pub(super) fn skip_branch(&mut self, words: &mut Words) -> Option<Directive> {
+        let cursor = self.cursors.last_mut()?;
+        let (to, directive) = cursor.source.branch_end(cursor.position(), words).ok()?;
+        if cursor.end.is_some_and(|end| to > end) {
+            return None;
         }
+        cursor.jump(to, words);
+        Some(directive)
+    }
+
+    /// The malformed token that keeps a branch from being skipped, if there is one.
+    #[cold]
+    pub(super) fn bad_in_branch(&self, words: &mut Words) -> Option<Token> {
+        let cursor = self.cursors.last()?;
+        cursor.source.branch_end(cursor.position(), words).err()?
     }
 
     /// Whether a token of the innermost file begins a line.

@@ -1,4 +1,4 @@
-use super::{Cursor, Feed, Role, Unskipped};
+use super::{Cursor, Feed, Role};
 use crate::diag::{FileId, SourceMap, Span};
 use crate::syntax::{Directive, Position, Source, Text, TokenKind, Words};
 use std::rc::Rc;
@@ -61,9 +61,9 @@ fn a_loop_is_a_jump_back() {
 fn branches_are_skipped_to_where_they_end() {
     let (mut feed, mut words) = (scene("#if (1) 2 #while (3) #end #else 4 #end 5"), Words::default());
     assert_eq!(feed.fetch(&mut words).map(|t| t.kind), Some(TokenKind::Directive(Directive::If)));
-    assert!(matches!(feed.skip_branch(&mut words), Ok(Directive::Else)));
-    assert!(matches!(feed.skip_branch(&mut words), Ok(Directive::End)));
-    assert!(matches!(feed.skip_branch(&mut words), Err(Unskipped::Over)));
+    assert_eq!(feed.skip_branch(&mut words), Some(Directive::Else));
+    assert_eq!(feed.skip_branch(&mut words), Some(Directive::End));
+    assert!(feed.skip_branch(&mut words).is_none() && feed.bad_in_branch(&mut words).is_none());
     assert_eq!(kinds(&mut feed, &mut words), [TokenKind::Number(5.0)]);
 }
 

@@ -21,6 +21,8 @@ pub(in crate::render) enum Term {
     Indirect,
     /// Light that photons have brought by way of glass and mirrors.
     Caustics,
+    /// Light that comes from below the surface.
+    Subsurface,
     /// Mirrored light, total reflection included.
     Reflection,
     /// Light that comes through the surface, bent or not.

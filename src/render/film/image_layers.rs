@@ -33,6 +33,7 @@ impl ImageLayer {
             Self::Direct => term(Term::Direct),
             Self::Indirect => term(Term::Indirect),
             Self::Caustics => term(Term::Caustics),
+            Self::Subsurface => term(Term::Subsurface),
             Self::Reflection => term(Term::Reflection),
             Self::Refraction => term(Term::Refraction),
             Self::Background => term(Term::Background),

@@ -10,6 +10,7 @@ mod photon;
 mod secondary;
 mod surface;
 mod told;
+mod translucence;
 
 pub(super) use air::escaped;
 pub(super) use photon::{Arrived, Flight};

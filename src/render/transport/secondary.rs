@@ -106,8 +106,19 @@ impl Refraction {
             let level = vertex.path.level + u32::from(self.bend != Bend::Straight);
             let (ray, range) = vertex.leave(direction);
             let kind = vertex.path.kind.transmitted();
-            let bounce = vertex.path.bounce;
-            Path { ray, range, bounce, kind, level, weight, interiors: self.interiors.clone(), wavelength, random }
+            let (bounce, below) = (vertex.path.bounce, vertex.path.below);
+            Path {
+                ray,
+                range,
+                bounce,
+                below,
+                kind,
+                level,
+                weight,
+                interiors: self.interiors.clone(),
+                wavelength,
+                random,
+            }
         };
         let path = match self.bend {
             Bend::Straight => beyond(vertex.view(), vertex.path.wavelength),
@@ -162,6 +173,7 @@ pub(super) fn mirrored(vertex: &Vertex<'_>, normal: DVec3, weight: f32, random: 
         ray,
         range,
         bounce: vertex.path.bounce,
+        below: vertex.path.below,
         kind: vertex.path.kind.mirrored(),
         level: vertex.path.level + 1,
         weight,
@@ -187,7 +199,7 @@ fn mirror_direction(direction: DVec3, normal: DVec3, facing: DVec3) -> DVec3 {
 ///
 /// The part across the normal is what Snell's law is about: taken from the direction itself, not from the cosine, it stays
 /// exact however near to the normal a strong refraction brings a ray.
-fn refracted(direction: DVec3, normal: DVec3, eta: f64) -> Option<DVec3> {
+pub(super) fn refracted(direction: DVec3, normal: DVec3, eta: f64) -> Option<DVec3> {
     let normal = if direction.dot(normal) <= 0.0 { normal } else { -normal };
     let across = eta * (direction - direction.dot(normal) * normal);
     let along_squared = 1.0 - across.length_squared();

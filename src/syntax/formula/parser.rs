@@ -450,15 +450,17 @@ impl Build for Parser<'_> {
     fn combine(
         &mut self,
         operator: Operator,
-        (left, a): Self::Built,
-        (right, b): Self::Built,
+        (left, width): &mut Self::Built,
+        (right, other): Self::Built,
         token: usize,
-    ) -> Result<Self::Built, NotWhole> {
+    ) -> Result<(), NotWhole> {
         if operator.strength(Self::LANGUAGE) <= Strength::Comparison {
-            self.stands_whole(left);
+            self.stands_whole(*left);
             self.stands_whole(right);
         }
-        Ok((self.parent(Node::Binary(operator, left, right, token as u16), left), a.with(b)))
+        *left = self.parent(Node::Binary(operator, *left, right, token as u16), *left);
+        *width = width.with(other);
+        Ok(())
     }
 }
 

@@ -78,11 +78,12 @@ impl Build for Reader<'_, '_> {
         self.nested_operand()
     }
 
-    fn combine(&mut self, operator: Operator, left: Slot, right: Slot, span: Span) -> SourceResult<Slot> {
+    fn combine(&mut self, operator: Operator, left: &mut Slot, right: Slot, span: Span) -> SourceResult<()> {
         if operator == Operator::Divide && self.builder.is_zero(right) {
             return self.evaluator.error(span, "division by zero");
         }
-        Ok(self.builder.binary(binary(operator), left, right))
+        *left = self.builder.binary(binary(operator), *left, right);
+        Ok(())
     }
 }
 

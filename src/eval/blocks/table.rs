@@ -1,0 +1,345 @@
+//! Blocks as tables: which words they take, with what behind each, its default, since when, and what it does.
+//!
+//! A table reads the block, says what else could have stood there, and is what documentation and completion are made of
+//! ([`described`](super::described)).
+//!
+//! ```text
+//! static FOG: Block<Fog> = Block::new("fog", &[
+//!     Item::new(K::Distance, Takes::Float(|fog| &mut fog.distance), "0", "how far one sees"),
+//! ]);
+//! while evaluator.item_of(&FOG, &mut fog)? {}
+//! evaluator.close_of(&FOG)
+//! ```
+
+use crate::diag::{Diagnostic, SourceResult, Span, completed, nearest};
+use crate::eval::Evaluator;
+use crate::math::{DVec3, Rgb, Transform};
+use crate::syntax::{Keyword, TokenKind};
+
+/// A block that makes a `T`.
+pub(in crate::eval) struct Block<T: 'static> {
+    /// The word before its brace, as messages call it.
+    name: &'static str,
+    items: &'static [Item<T>],
+    /// For each keyword the number of its item, counted from 1.
+    numbers: [u8; Keyword::ALL.len()],
+    /// What a transformation does to it, if it takes any.
+    moves: Option<Move<T>>,
+}
+
+/// Moves what a block makes.
+type Move<T> = fn(&Evaluator<'_>, &mut T, &Transform);
+
+/// A word of a block.
+pub(super) struct Item<T> {
+    word: Keyword,
+    /// Another spelling.
+    alias: Option<Keyword>,
+    takes: Takes<T>,
+    default: &'static str,
+    /// In hundredths; 0 for what was always there.
+    since: u32,
+    help: &'static str,
+}
+
+/// What stands behind a word, and where it goes.
+pub(super) enum Takes<T> {
+    /// A float.
+    Float(fn(&mut T) -> &mut f64),
+    /// A float of which single precision is kept.
+    Single(fn(&mut T) -> &mut f32),
+    Vector(fn(&mut T) -> &mut DVec3),
+    /// Red, green and blue.
+    Rgb(fn(&mut T) -> &mut Rgb),
+    /// Nothing, or whether it holds.
+    Switch(fn(&mut T) -> &mut bool),
+    /// Nothing, or an amount; the bare word means 1.
+    Amount(fn(&mut T) -> &mut f32),
+    /// Nothing.
+    Nothing(fn(&mut T)),
+    /// Something else, in the manual's words.
+    Other(&'static str, Read<T>),
+}
+
+/// Reads what stands behind a word.
+pub(super) type Read<T> = fn(&mut Evaluator<'_>, &mut T, Word) -> SourceResult<()>;
+
+/// A word that was met, and where.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Word {
+    pub(super) word: Keyword,
+    pub(super) span: Span,
+}
+
+impl<T> Item<T> {
+    /// A word that was always there; `default` is what holds without it, as it would be written behind it, or nothing.
+    pub(super) const fn new(word: Keyword, takes: Takes<T>, default: &'static str, help: &'static str) -> Self {
+        Self { word, alias: None, takes, default, since: 0, help }
+    }
+
+    /// A word that came with a version.
+    pub(super) const fn since(
+        version: u32,
+        word: Keyword,
+        takes: Takes<T>,
+        default: &'static str,
+        help: &'static str,
+    ) -> Self {
+        Self { word, alias: None, takes, default, since: version, help }
+    }
+
+    /// A word that has another spelling.
+    pub(super) const fn spelt(
+        alias: Keyword,
+        word: Keyword,
+        takes: Takes<T>,
+        default: &'static str,
+        help: &'static str,
+    ) -> Self {
+        Self { word, alias: Some(alias), takes, default, since: 0, help }
+    }
+
+    fn described(&self) -> Described {
+        let takes = match self.takes {
+            Takes::Float(_) | Takes::Single(_) => "FLOAT",
+            Takes::Vector(_) => "VECTOR",
+            Takes::Rgb(_) => "COLOUR",
+            Takes::Switch(_) => "[BOOL]",
+            Takes::Amount(_) => "[FLOAT]",
+            Takes::Nothing(_) => "",
+            Takes::Other(takes, _) => takes,
+        };
+        Described { word: self.word.word(), takes, default: self.default, since: self.since, help: self.help }
+    }
+}
+
+impl<T> Block<T> {
+    /// Of these words.
+    pub(super) const fn new(name: &'static str, items: &'static [Item<T>]) -> Self {
+        let mut numbers = [0; Keyword::ALL.len()];
+        let mut i = 0;
+        while i < items.len() {
+            assert!(numbers[items[i].word as usize] == 0, "a word stands twice in a block");
+            numbers[items[i].word as usize] = i as u8 + 1;
+            if let Some(alias) = items[i].alias {
+                numbers[alias as usize] = i as u8 + 1;
+            }
+            i += 1;
+        }
+        Self { name, items, numbers, moves: None }
+    }
+
+    /// Of these words and transformations.
+    pub(super) const fn moved(name: &'static str, moves: Move<T>, items: &'static [Item<T>]) -> Self {
+        Self { moves: Some(moves), ..Self::new(name, items) }
+    }
+
+    #[inline]
+    fn item(&self, word: Keyword) -> Option<&'static Item<T>> {
+        let number = self.numbers[word as usize];
+        self.items.get(usize::from(number).checked_sub(1)?)
+    }
+}
+
+/// A word of a block, for people.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Described {
+    /// The word.
+    pub word: &'static str,
+    /// What stands behind it, in the words of the manual; brackets around what may be left out.
+    pub takes: &'static str,
+    /// What holds without it, if that can be written down.
+    pub default: &'static str,
+    /// The version it came with, in hundredths; 0 for what was always there.
+    pub since: u32,
+    /// What it does, in one line.
+    pub help: &'static str,
+}
+
+/// Words that every block takes which can be moved.
+const TRANSFORMATIONS: &[Described] = &[
+    Described { word: "translate", takes: "VECTOR", default: "", since: 0, help: "moves it" },
+    Described {
+        word: "rotate",
+        takes: "VECTOR",
+        default: "",
+        since: 0,
+        help: "turns it about x, then y, then z, in degrees",
+    },
+    Described { word: "scale", takes: "VECTOR", default: "", since: 0, help: "stretches it along the axes" },
+    Described {
+        word: "matrix",
+        takes: "<12 FLOATS>",
+        default: "",
+        since: 0,
+        help: "moves it as the images of x, y, z and 0 say",
+    },
+    Described {
+        word: "transform",
+        takes: "{ items }",
+        default: "",
+        since: 0,
+        help: "moves it as several transformations do",
+    },
+];
+
+/// A table, whatever it makes.
+pub(in crate::eval) trait Table: Sync {
+    /// The word before its brace.
+    fn name(&self) -> &'static str;
+    /// Its words, in the order of the table.
+    fn words(&self) -> Vec<Described>;
+}
+
+impl<T> Table for Block<T> {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn words(&self) -> Vec<Described> {
+        let moving = if self.moves.is_some() { TRANSFORMATIONS } else { &[] };
+        self.items.iter().map(Item::described).chain(moving.iter().copied()).collect()
+    }
+}
+
+/// What may have been meant by a word that a block does not know.
+pub(in crate::eval) fn meant_in(table: &dyn Table, word: &str) -> Option<String> {
+    let words = table.words();
+    let words = || words.iter().map(|described| described.word);
+    let near = nearest(word, words()).or_else(|| completed(word, words()))?;
+    Some(format!("did you mean '{near}'?"))
+}
+
+/// What a block takes.
+pub(in crate::eval) fn words_of(table: &dyn Table) -> String {
+    let mut words: Vec<_> = table.words().iter().map(|described| described.word).collect();
+    words.sort_unstable();
+    format!("{} takes {}", table.name(), words.join(", "))
+}
+
+/// All of these run directives and macro calls first and fail with what those fail with.
+impl Evaluator<'_> {
+    /// Reads the item of a block that comes next; false if none does.
+    #[inline]
+    pub(super) fn item_of<T>(&mut self, block: &Block<T>, target: &mut T) -> SourceResult<bool> {
+        let TokenKind::Keyword(word) = self.fill(false)? else { return Ok(false) };
+        let Some(item) = block.item(word) else {
+            let Some(moves) = block.moves else { return Ok(false) };
+            let Some(transform) = self.transformation()? else { return Ok(false) };
+            moves(self, target, &transform);
+            return Ok(true);
+        };
+        let at = Word { word, span: self.span() };
+        self.take();
+        self.read_item(item, target, at)?;
+        Ok(true)
+    }
+
+    /// Reads what stands behind the word of an item, which was taken.
+    #[inline]
+    fn read_item<T>(&mut self, item: &Item<T>, target: &mut T, at: Word) -> SourceResult<()> {
+        match item.takes {
+            Takes::Float(field) => *field(target) = self.float()?,
+            Takes::Single(field) => *field(target) = self.float()? as f32,
+            Takes::Vector(field) => *field(target) = self.vector()?,
+            Takes::Rgb(field) => *field(target) = self.rgb_only(item.word.word())?,
+            Takes::Switch(field) => *field(target) = self.optional_bool()?,
+            Takes::Amount(field) => *field(target) = self.optional_amount()?,
+            Takes::Nothing(act) => act(target),
+            Takes::Other(_, read) => read(self, target, at)?,
+        }
+        Ok(())
+    }
+
+    /// The same for a word that another block has taken.
+    pub(super) fn item_behind<T>(&mut self, block: &Block<T>, target: &mut T, at: Word) -> SourceResult<()> {
+        block.item(at.word).map_or(Ok(()), |item| self.read_item(item, target, at))
+    }
+
+    /// Reads all items of a block, with or without commas behind them.
+    pub(super) fn items_of<T>(&mut self, block: &Block<T>, target: &mut T) -> SourceResult<()> {
+        while self.item_of(block, target)? {
+            self.comma()?;
+        }
+        Ok(())
+    }
+
+    /// Takes the `}` of a block, or says what it takes.
+    pub(super) fn close_of<T>(&mut self, block: &Block<T>) -> SourceResult<()> {
+        self.close_as(block, block.name)
+    }
+
+    /// The same for one of several blocks that end in the same words.
+    pub(super) fn close_as<T>(&mut self, block: &Block<T>, name: &str) -> SourceResult<()> {
+        if !self.accept_punct('}')? {
+            return self.expected_in(block, &format!("'}}' to close {name}"));
+        }
+        self.budget.shallower();
+        Ok(())
+    }
+
+    /// An optional number; the bare word means 1.
+    pub(super) fn optional_amount(&mut self) -> SourceResult<f32> {
+        Ok(if self.starts_expression()? { self.float()? as f32 } else { 1.0 })
+    }
+}
+
+/// The errors of something that was expected in a block, with advice from its table.
+pub(in crate::eval) fn with_words(
+    mut errors: Vec<Diagnostic>,
+    table: &dyn Table,
+    found: Option<&str>,
+) -> Vec<Diagnostic> {
+    if let Some(error) = errors.first_mut() {
+        if let Some(meant) = found.and_then(|word| meant_in(table, word)) {
+            error.hints = vec![meant];
+        }
+        // Words of the language that only other blocks take help nobody.
+        error.hints.retain(|hint| {
+            let word = hint.strip_prefix("did you mean '").and_then(|rest| rest.split('\'').next());
+            let keyword = word.filter(|word| Keyword::from_word(word).is_some());
+            keyword.is_none_or(|keyword| table.words().iter().any(|described| described.word == keyword))
+        });
+        if error.hints.is_empty() {
+            error.hints.push(words_of(table));
+        }
+    }
+    errors
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Block, Item, Table, Takes, meant_in, with_words, words_of};
+    use crate::diag::{Diagnostic, Span};
+    use crate::syntax::Keyword as K;
+
+    /// A block that can be read without anything.
+    static LAMP: Block<(f64, bool)> = Block::new(
+        "lamp",
+        &[
+            Item::since(350, K::Radius, Takes::Float(|lamp| &mut lamp.0), "1", "how large it is"),
+            Item::spelt(K::Colour, K::Color, Takes::Switch(|lamp| &mut lamp.1), "off", "whether it is coloured"),
+        ],
+    );
+
+    #[test]
+    fn words_find_their_items() {
+        let found = |word| LAMP.item(word).map(|item| item.word);
+        assert_eq!(
+            [K::Radius, K::Color, K::Colour, K::Fog].map(found),
+            [Some(K::Radius), Some(K::Color), Some(K::Color), None]
+        );
+        let radius = LAMP.words()[0];
+        assert_eq!((radius.word, radius.takes, radius.default, radius.since), ("radius", "FLOAT", "1", 350));
+    }
+
+    #[test]
+    fn tables_say_what_could_have_stood_there() {
+        assert_eq!(meant_in(&LAMP, "raduis"), Some("did you mean 'radius'?".into()));
+        assert_eq!(words_of(&LAMP), "lamp takes color, radius");
+        let hints = |found| with_words(vec![Diagnostic::error(Span::default(), "wrong")], &LAMP, found).remove(0).hints;
+        assert_eq!(hints(Some("colr")), ["did you mean 'color'?"]);
+        assert_eq!(hints(Some("spere")), ["lamp takes color, radius"]);
+        assert_eq!(hints(None), ["lamp takes color, radius"]);
+    }
+}

@@ -1,0 +1,80 @@
+//! What the tables of blocks promise, held against what the blocks do.
+
+use super::described;
+use crate::eval::{Memory, NoQueries, Options, evaluate};
+use crate::scene::Scene;
+use std::collections::BTreeSet;
+
+/// What a scene is, or its first error.
+fn read(text: &str) -> Result<Scene, String> {
+    let text = format!("#version 3.7; {text}");
+    let host = Memory::new([("a.pov", text.as_str())]);
+    match evaluate("a.pov".as_ref(), &Options::default(), &host, &NoQueries) {
+        Ok(read) => Ok(read.scene),
+        Err(failed) => Err(failed.diagnostics.iter().map(|d| d.message.clone()).next_back().unwrap_or_default()),
+    }
+}
+
+#[test]
+fn every_word_is_described_in_one_line() {
+    let mut n_words = 0;
+    for (block, words) in described() {
+        let mut seen = BTreeSet::new();
+        for word in words {
+            assert!(!word.help.is_empty() && !word.help.contains('\n'), "{block} {}", word.word);
+            assert!(seen.insert(word.word), "{block} {} stands twice", word.word);
+            n_words += 1;
+        }
+    }
+    assert!(n_words > 60, "{n_words}");
+}
+
+/// A block with a default written out is as without it: `before { WORD DEFAULT } after`, by what `part` shows of the scene.
+fn defaults_hold(block: &str, before: &str, after: &str, part: impl Fn(&Scene) -> String) {
+    let shown = |item: &str| match read(&format!("{before} {{ {item} }} {after}")) {
+        Ok(scene) => part(&scene),
+        Err(message) => panic!("{block} {item}: {message}"),
+    };
+    let expected = shown("");
+    let mut n_held = 0;
+    for (_, words) in described().filter(|(name, _)| *name == block) {
+        for word in words.iter().filter(|word| !word.default.is_empty()) {
+            assert_eq!(shown(&format!("{} {}", word.word, word.default)), expected, "{block} {}", word.word);
+            n_held += 1;
+        }
+    }
+    assert!(n_held > 1, "{block}");
+}
+
+#[test]
+fn defaults_are_what_holds_without_them() {
+    defaults_hold("finish", "sphere { 0, 1 finish", "}", |scene| format!("{:?}", scene.objects[0].texture));
+    defaults_hold("camera", "camera", "", |scene| format!("{:?}", scene.camera));
+    defaults_hold("interior", "sphere { 0, 1 interior", "}", |scene| format!("{:?}", scene.objects[0].interior));
+    defaults_hold("media", "media", "", |scene| format!("{:?}", scene.media));
+    let settings = |scene: &Scene| format!("{:?}", scene.settings);
+    defaults_hold("global_settings", "global_settings", "", settings);
+    for block in ["radiosity", "photons"] {
+        defaults_hold(block, &format!("global_settings {{ {block}"), "}", settings);
+    }
+    defaults_hold("fog", "fog", "", |scene| format!("{:?}", scene.fogs));
+}
+
+/// The hint of a scene's only error.
+fn hint(text: &str) -> String {
+    let text = format!("#version 3.7; {text}");
+    let host = Memory::new([("a.pov", text.as_str())]);
+    let failed = evaluate("a.pov".as_ref(), &Options::default(), &host, &NoQueries).err();
+    failed.and_then(|f| f.diagnostics.last().and_then(|d| d.hints.first().cloned())).unwrap_or_default()
+}
+
+#[test]
+fn a_block_says_what_it_takes() {
+    assert_eq!(hint("sphere { 0, 1 finish { phonk 1 } }"), "did you mean 'phong'?");
+    assert!(hint("sphere { 0, 1 finish { fong 1 } }").starts_with("finish takes ambient, brilliance"));
+    assert_eq!(
+        hint("fog { width 3 }"),
+        "fog takes distance, fog_alt, fog_offset, fog_type, matrix, rotate, scale, transform, translate, turb_depth, up"
+    );
+    assert!(hint("camera { radius 3 }").starts_with("camera takes angle, aperture"));
+}
