@@ -11,7 +11,7 @@ use crate::compiled::interior::{Interior, InteriorFade};
 use crate::compiled::medium::Medium;
 use crate::compiled::texture::Texture;
 use crate::compiled::{Features, Settings, Table, Transfer, World};
-use crate::diag::{Diagnostic, SourceResult, Span, Topic};
+use crate::diag::{Diagnostic, SourceResult};
 use crate::math::noise::Octaves;
 use crate::math::{Color, DVec3};
 use crate::omission::{Found, Keep, Ledger, Omission};

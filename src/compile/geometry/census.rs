@@ -30,13 +30,18 @@ pub(super) struct Entry {
 #[derive(Debug, Default)]
 pub(super) struct Census {
     /// Photons are shot: their targets cannot be shared.
-    pub(super) with_photons: bool,
+    with_photons: bool,
     entries: FxHashMap<*const Arc<Object>, Entry>,
     /// Objects that stand in no list of children, by address.
     counted: FxHashMap<*const Object, Entry>,
 }
 
 impl Census {
+    /// Before anything is visited.
+    pub(super) fn new(with_photons: bool) -> Self {
+        Self { with_photons, ..Self::default() }
+    }
+
     /// Visits an object and everything in it.
     pub(super) fn count(&mut self, object: &Object) -> Entry {
         for other in object.rare.clipped_by.iter().chain(&object.rare.bounded_by) {

@@ -121,7 +121,7 @@ fn build(
     settings: &Settings,
     (functions, keep): (&Functions, Keep),
 ) -> SourceResult<CompiledGeometry> {
-    let mut census = Census { with_photons: settings.photons.is_some(), ..Census::default() };
+    let mut census = Census::new(settings.photons.is_some());
     for (object, _) in objects {
         census.count(object);
     }

@@ -6,7 +6,7 @@ use super::direct::{Beam, TURNED_AWAY, answer, film};
 use crate::math::{DVec3, Rgb};
 use crate::render::photons::{Caught, Gathered};
 use crate::render::shade::SurfaceLayer;
-use crate::render::vertex::Vertex;
+use crate::render::vertex::{Place as _, Vertex};
 use crate::render::worker::Worker;
 
 /// POV-Ray's cosine down to which a photon's light is spread over the surface that it meets.
@@ -28,6 +28,9 @@ impl Caustics {
         vertex: &Vertex<'_>,
         layer: &SurfaceLayer<'_>,
     ) -> Rgb {
+        if !vertex.collects_photons(worker.world()) {
+            return Rgb::ZERO;
+        }
         let look = || caught.map.gather(caught.settings, (vertex.point(), layer.normal), &mut worker.nearby);
         let Some(Gathered { photons, area }) = self.found.get_or_insert_with(look) else { return Rgb::ZERO };
         let wavelength = worker.world().settings.irid_wavelength;

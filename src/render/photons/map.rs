@@ -52,12 +52,14 @@ struct Candidate {
 
 // Of those at one distance the index decides, so that no order of search shows.
 impl Ord for Candidate {
+    #[inline]
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.squared.total_cmp(&other.squared).then(self.index.cmp(&other.index))
     }
 }
 
 impl PartialOrd for Candidate {
+    #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
         Some(self.cmp(other))
     }
@@ -93,6 +95,7 @@ impl Nearest {
         self.found.iter().map(|candidate| candidate.index)
     }
 
+    #[inline]
     fn offer(&mut self, squared: f64, index: u32) {
         if squared >= self.reach {
             return;

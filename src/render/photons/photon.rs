@@ -46,6 +46,7 @@ impl Photon {
     }
 
     /// World space.
+    #[inline]
     pub(in crate::render) fn position(&self) -> DVec3 {
         let [x, y, z] = self.position.map(f64::from);
         DVec3::new(x, y, z)

@@ -122,7 +122,10 @@ pub(super) fn shade<'t, G: Gather>(
         let direct =
             if finish.uses_lights && wants_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
         shaded.found.add_own(filter, emission, direct);
-        if wants_lights && let Some(caught) = &worker.prepared.photons {
+        if finish.uses_lights
+            && wants_lights
+            && let Some(caught) = &worker.prepared.photons
+        {
             let light = caustics.reflected(worker, caught, vertex, &lit);
             shaded.found.add(Term::Caustics, Radiance::opaque(filter * light));
         }
