@@ -64,7 +64,7 @@ fn of_rays(rays: &Statistics) -> String {
         ("camera rays", rays.camera_rays),
         ("transmitted rays", rays.transmitted_rays),
         ("mirrored rays", rays.reflected_rays),
-        ("rays that gather light for radiosity", rays.sample_rays),
+        ("rays that gather light for radiosity and from below surfaces", rays.sample_rays),
         ("shadow rays", rays.shadow_rays),
         ("not sent: the surface is turned away or out of a light's reach", rays.spared_shadow_rays),
     ];

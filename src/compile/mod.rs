@@ -8,6 +8,7 @@ mod medium;
 mod picture;
 mod queries;
 mod radiosity;
+mod subsurface;
 pub mod texture;
 mod world;
 

@@ -2,6 +2,7 @@
 
 use super::function::Functions;
 use super::geometry::{CompiledGeometry, PlacedLight, Watched, compile_object_sharing};
+use super::subsurface::ReducedAlbedos;
 use super::texture::{Refusal, TextureCompiler, noise_generator};
 use super::{camera, light, medium};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
@@ -69,7 +70,9 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
     let camera = camera::camera(&scene.camera, &mut compiler).map_err(|r| r.at(scene.camera.span));
     let camera = note(camera, &mut errors);
     let mut media = Vec::new();
-    let interiors = note(compiled_interiors(&interiors, &mut compiler, &mut media), &mut errors);
+    let subsurface = super::subsurface::subsurface(&scene.settings);
+    let albedos = subsurface.map(|_| ReducedAlbedos::default());
+    let interiors = note(compiled_interiors(&interiors, &mut compiler, &mut media, albedos), &mut errors);
     let atmosphere = note(atmosphere(scene, &mut compiler, &mut media), &mut errors);
     let Lights { all: lights, global: global_lights, of_groups: group_lights } =
         place_lights(lights, &light_groups, &mut warnings)?;
@@ -96,6 +99,7 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
         atmosphere,
         settings: settings(&scene.settings),
         radiosity: scene.settings.radiosity.as_ref().map(|r| super::radiosity::radiosity(r, &scene.settings)),
+        subsurface,
         labels,
         touching: Touching::default(),
         features: Features::default(),
@@ -175,11 +179,13 @@ fn compiled_interiors(
     interiors: &Table<InteriorId, Arc<scene::Interior>>,
     compiler: &mut TextureCompiler<'_>,
     media: &mut Vec<Medium>,
+    mut albedos: Option<ReducedAlbedos>,
 ) -> Result<Table<InteriorId, Arc<Interior>>, Refusal> {
     let mut known = FxHashMap::default();
     let mut last: Option<Arc<Interior>> = None;
     let mut compiled = |i: &Arc<scene::Interior>| -> Result<_, Refusal> {
-        let made = interior(i, add_media(&i.media, compiler, media)?);
+        let mut made = interior(i, add_media(&i.media, compiler, media)?);
+        made.reduced_albedo = albedos.as_mut().map(|known| known.of(made.ior));
         let like = last.take().filter(|last| **last == made).unwrap_or_else(|| Arc::new(made));
         Ok(Arc::clone(last.insert(like)))
     };
@@ -216,6 +222,7 @@ fn interior(interior: &scene::Interior, media: Range<usize>) -> Interior {
         caustics: interior.caustics * 45.0,
         refraction: interior.refraction as f32,
         media,
+        reduced_albedo: None,
     }
 }
 
@@ -314,13 +321,8 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
 /// What a Whitted renderer leaves out is said once for each feature, where it stands.
 fn warn_about_light(scene: &Scene, warnings: &mut Vec<Diagnostic>) {
     let settings = &scene.settings;
-    let left_out = [
-        (settings.photons.as_ref().map(|p| p.span), "`photons` are not rendered: caustics will be missing"),
-        (
-            settings.subsurface.map(|s| s.span),
-            "`subsurface` light is not rendered: light below surfaces will be missing",
-        ),
-    ];
+    let left_out =
+        [(settings.photons.as_ref().map(|p| p.span), "`photons` are not rendered: caustics will be missing")];
     let warn = |(span, message): (Option<Span>, &str)| Some(Diagnostic::warning(Topic::Unsupported, span?, message));
     warnings.extend(left_out.into_iter().filter_map(warn));
 }
@@ -378,7 +380,6 @@ mod tests {
     #[test]
     fn warnings_point_at_what_is_left_out() {
         check("global_settings { photons { count 5 } }", "`photons`", "photons");
-        check("global_settings { subsurface { } }", "`subsurface`", "subsurface");
         let light = "light_source { 0, 1 area_light x, y, 2000, 2000 }";
         check(light, "2000 x 2000 samples", "light_source");
     }

@@ -1,7 +1,9 @@
 //! What fills an object: refraction, attenuation, faked caustics.
 
+use super::subsurface::ReducedAlbedo;
 use crate::math::{Rgb, power};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// An interior with its defaults resolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +22,8 @@ pub struct Interior {
     pub refraction: f32,
     /// Which of the world's media are in it.
     pub media: Range<usize>,
+    /// From colours to what its material does with light below the surface, where a scene asks for that.
+    pub reduced_albedo: Option<Arc<ReducedAlbedo>>,
 }
 
 impl Interior {

@@ -15,6 +15,7 @@ pub mod light;
 pub mod medium;
 pub mod mesh_camera;
 pub mod radiosity;
+pub mod subsurface;
 pub mod texture;
 mod world;
 

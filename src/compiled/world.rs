@@ -10,6 +10,7 @@ use super::labels::Labels;
 use super::light::Light;
 use super::medium::Medium;
 use super::radiosity::Radiosity;
+use super::subsurface::Subsurface;
 use super::texture::Texture;
 use crate::imaging::Curve;
 use crate::math::Rgb;
@@ -42,6 +43,8 @@ pub struct World {
     pub settings: Settings,
     /// How light between surfaces is gathered, if it is.
     pub radiosity: Option<Radiosity>,
+    /// How light below surfaces is sampled, if it is.
+    pub subsurface: Option<Subsurface>,
     /// Names, for layers.
     pub labels: Labels,
     /// Where objects that bend or dim light may touch.
@@ -65,6 +68,7 @@ impl World {
                 at.x, at.y, at.z, color.x, color.y, color.z
             );
         }
+        out.extend(self.subsurface.map(|subsurface| subsurface.dump()));
         for (what, count) in self.summary() {
             let _ = writeln!(out, "{what:<22}{count:>12}");
         }

@@ -20,6 +20,8 @@ pub enum ImageLayer {
     Direct,
     /// Light from other surfaces, gathered by radiosity, sent back by the first surface.
     Indirect,
+    /// Light that comes from below the first surface.
+    Subsurface,
     /// What the first surface mirrors.
     Reflection,
     /// What comes through the first surface.
@@ -42,7 +44,7 @@ pub enum ImageLayer {
 
 impl ImageLayer {
     /// All layers, in the order in which they are documented.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
@@ -51,6 +53,7 @@ impl ImageLayer {
         Self::Emission,
         Self::Direct,
         Self::Indirect,
+        Self::Subsurface,
         Self::Reflection,
         Self::Refraction,
         Self::Background,
@@ -73,6 +76,7 @@ impl ImageLayer {
             Self::Emission => "emission",
             Self::Direct => "direct",
             Self::Indirect => "indirect",
+            Self::Subsurface => "subsurface",
             Self::Reflection => "reflection",
             Self::Refraction => "refraction",
             Self::Background => "background",
@@ -88,8 +92,8 @@ impl ImageLayer {
     /// Whether it is a colour in linear light. Variance is a square of working values; Cryptomatte holds names.
     pub(super) fn is_color(self) -> bool {
         match self {
-            Self::Albedo | Self::Emission | Self::Direct | Self::Indirect | Self::Reflection => true,
-            Self::Refraction | Self::Background | Self::Atmosphere | Self::Media => true,
+            Self::Albedo | Self::Emission | Self::Direct | Self::Indirect | Self::Subsurface => true,
+            Self::Reflection | Self::Refraction | Self::Background | Self::Atmosphere | Self::Media => true,
             Self::Depth | Self::Position | Self::Normal | Self::GeometricNormal => false,
             Self::Samples | Self::Variance | Self::CryptoObject | Self::CryptoMaterial => false,
         }

@@ -11,7 +11,7 @@
 //! - `work`: blocks on all cores; `sensor`: the rays through an image position;
 //! - `transport`: the recursion; `light`: what arrives at a vertex from light sources; `shade`: layers as values;
 //! - `film`: what is kept of light; `worker`, `prepare`: what a thread owns, what all share;
-//! - `radiosity`: records of light between surfaces;
+//! - `radiosity`: records of light between surfaces; `subsurface`: what materials do with light below theirs;
 //! - `medium`, `environment`: what a ray passes, what it sees at the end; `camera`; `vertex`, `path`;
 //! - `enough`, `random`, `jitter`, `radiance`, `statistics`, `observer`, `options`.
 
@@ -37,6 +37,7 @@ mod random;
 mod sensor;
 mod shade;
 mod statistics;
+mod subsurface;
 mod told;
 mod transport;
 mod vertex;

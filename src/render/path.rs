@@ -15,6 +15,8 @@ pub(super) struct Path {
     /// How many diffuse surfaces lie between it and the camera: 0 for all but sample rays of radiosity and what they
     /// become.
     pub(super) bounce: u32,
+    /// How many objects it went straight through whose light comes from below their surfaces.
+    pub(super) below: u8,
     /// Which objects it sees.
     pub(super) kind: RayKind,
     /// 1 for camera rays, one more for each bend or reflection.

@@ -9,6 +9,7 @@ use super::options::Options;
 use super::radiosity::Shared;
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
+use crate::compiled::subsurface::Subsurface;
 
 /// POV-Ray's distance within which a camera ray meets nothing; of scenes smaller than 1, a share of their size.
 const CAMERA_NEAR: f64 = 1e-4;
@@ -26,6 +27,8 @@ pub(super) struct Prepared<'w> {
     pub(super) camera_near: f64,
     /// What is known of light between surfaces, where it counts.
     pub(super) radiosity: Option<Shared<'w>>,
+    /// How light below surfaces is sampled, where it counts.
+    pub(super) subsurface: Option<&'w Subsurface>,
     /// Of each medium, when samples are enough.
     pub(super) settling: Vec<Settling>,
     /// Whether there are fog, rainbows or media anywhere, and they count.
@@ -47,6 +50,7 @@ impl<'w> Prepared<'w> {
             }),
             camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
             radiosity: world.radiosity.as_ref().filter(|_| options.indirect_light()).map(Shared::new),
+            subsurface: world.subsurface.as_ref().filter(|_| options.indirect_light()),
             settling: world.media.iter().map(|medium| Settling::new(&medium.sampling)).collect(),
             has_air: options.atmosphere() && features.has_air(),
             side_by_side: one_ray_a_position(world)

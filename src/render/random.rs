@@ -25,6 +25,10 @@ pub(super) enum Dimension {
     Direction,
     /// Where a sample of a medium lies, by its number along the ray.
     Medium(u32),
+    /// By how much a lattice of directions or depths below a surface is shifted along one of its axes.
+    Shift(u8),
+    /// Whether a sample that counts for little is looked at.
+    Roulette,
 }
 
 /// How a path goes on from a vertex.
@@ -44,6 +48,8 @@ pub(super) enum Branch {
     Gathered(u32),
     /// To a sample in a medium, by its number along the ray.
     Medium(u32),
+    /// One of the ways of light below a surface, or a sample of it.
+    Below(u32),
 }
 
 impl Random {
@@ -69,6 +75,7 @@ impl Random {
             Branch::Transmission(i) => (5, i.into()),
             Branch::Gathered(i) => (6, i.into()),
             Branch::Medium(i) => (8, i.into()),
+            Branch::Below(i) => (9, i.into()),
         };
         Self(mixed(self.0 ^ (kind << 56 | index)))
     }
@@ -90,6 +97,8 @@ impl Random {
             Dimension::Rainbow(i) => 4 << 60 | i as u64,
             Dimension::Direction => 5 << 60,
             Dimension::Medium(i) => 6 << 60 | u64::from(i),
+            Dimension::Shift(axis) => 7 << 60 | u64::from(axis),
+            Dimension::Roulette => 8 << 60,
         };
         (mixed(self.0 ^ mixed(code)) >> 11) as f64 / (1u64 << 53) as f64
     }

@@ -7,6 +7,7 @@ use super::radiosity::{Gathering, Phase};
 use super::statistics::Statistics;
 use crate::compiled::World;
 use crate::compiled::geometry::{Hit, Scratch};
+use crate::compiled::subsurface::Subsurface;
 use crate::compiled::texture::Finish;
 use crate::math::Rgb;
 
@@ -68,6 +69,13 @@ impl<'w> Worker<'w> {
     pub(super) fn has_air(&self, path: &Path) -> bool {
         let passes = || path.bounce == 0 || self.prepared.radiosity.as_ref().is_some_and(|r| r.settings.media);
         self.prepared.has_air && passes()
+    }
+
+    /// How light below surfaces is sampled, where it counts at the end of a path.
+    #[inline]
+    pub(super) fn subsurface(&self, path: &Path) -> Option<&'w Subsurface> {
+        let seen = || path.bounce == 0 || self.prepared.radiosity.as_ref().is_some_and(|r| r.settings.subsurface);
+        self.prepared.subsurface.filter(|_| seen())
     }
 
     /// Whether it matters what lights give at the end of a path: where only places are looked for, it does not.

@@ -39,6 +39,7 @@ pub(super) fn compile(finish: &scene::Finish, settings: &Settings, ledger: &mut 
         conserve_energy: finish.conserve_energy,
         caustics: finish.caustics.map(f64::from),
         refraction: finish.refraction,
+        translucency: finish.subsurface_translucency.filter(|_| settings.subsurface.is_some()),
         uses_lights,
     }
 }

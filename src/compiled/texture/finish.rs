@@ -44,6 +44,8 @@ pub struct Finish {
     pub caustics: Option<f64>,
     /// Legacy factor of transmitted light.
     pub refraction: Option<f32>,
+    /// Free path between events of scattering, in mm, where light goes below the surface.
+    pub translucency: Option<Rgb>,
     /// Whether any light source can change the colour.
     pub uses_lights: bool,
 }

@@ -19,6 +19,8 @@ pub(in crate::render) enum Term {
     Direct,
     /// Light from other surfaces and the sky, gathered by radiosity.
     Indirect,
+    /// Light that comes from below the surface.
+    Subsurface,
     /// Mirrored light, total reflection included.
     Reflection,
     /// Light that comes through the surface, bent or not.

@@ -107,7 +107,7 @@ fn film(wavelength: Rgb, vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, directio
 fn answer(vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, beam: &Beam) -> Rgb {
     let finish = layer.finish;
     let mut answer = Rgb::ZERO;
-    let amount = if beam.back { finish.diffuse_back } else { finish.diffuse };
+    let amount = if beam.back { layer.diffuse_back } else { layer.diffuse };
     if amount > 0.0 {
         let mut diffuse = amount * layer.opacity * finish::brilliance(finish, beam.cosine);
         if finish.crand != 0.0 {
@@ -167,7 +167,7 @@ fn lit_side(
 ) -> Option<Beam> {
     let cosine = direction.dot(layer.normal);
     let front = cosine >= TURNED_AWAY || vertex.surface.double_illuminate;
-    let back = !front && layer.finish.diffuse_back != 0.0;
+    let back = !front && layer.diffuse_back != 0.0;
     if !front && !back && !light.two_sided {
         return None;
     }

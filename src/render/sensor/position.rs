@@ -112,7 +112,18 @@ pub(super) fn path(worker: &mut Worker<'_>, ray: Ray, far: f64, random: Random) 
         _ => Interiors::at(prepared.world, ray.origin),
     };
     let range = Range { min: prepared.camera_near, max: far };
-    Path { ray, range, kind: RayKind::Camera, bounce: 0, level: 1, weight: 1.0, interiors, wavelength: None, random }
+    Path {
+        ray,
+        range,
+        kind: RayKind::Camera,
+        bounce: 0,
+        below: 0,
+        level: 1,
+        weight: 1.0,
+        interiors,
+        wavelength: None,
+        random,
+    }
 }
 
 /// Whether nothing lies between the middle of the lens and a point of it: then both are inside the same objects.

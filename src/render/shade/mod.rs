@@ -204,6 +204,10 @@ pub(super) struct SurfaceLayer<'t> {
     pub(super) finish: &'t Finish,
     /// Unit perturbed normal.
     pub(super) normal: DVec3,
+    /// Diffuse amounts on the lit side and on the far one: none where light goes below the surface instead.
+    pub(super) diffuse: f32,
+    /// See `diffuse`.
+    pub(super) diffuse_back: f32,
     /// The pigment's colour.
     pub(super) albedo: Rgb,
     /// What part of the layer is not see-through.

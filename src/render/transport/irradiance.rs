@@ -72,6 +72,17 @@ impl Indirect {
     }
 }
 
+/// The light that falls on one side of a surface; it counts in full, since nobody knows yet how much of it is seen.
+pub(super) fn on_side(worker: &mut Worker<'_>, vertex: &Vertex<'_>, normal: DVec3) -> Rgb {
+    match &worker.prepared.radiosity {
+        Some(shared) if vertex.path.bounce < shared.settings.recursion_limit => {
+            let weight = f64::from(vertex.path.weight);
+            Asking { vertex, facing: normal, normal, weight }.light(worker, shared)
+        }
+        _ => Rgb::ZERO,
+    }
+}
+
 /// One side of a surface that asks for light.
 struct Asking<'a> {
     vertex: &'a Vertex<'a>,
@@ -196,6 +207,7 @@ impl Asking<'_> {
             range,
             kind: RayKind::Radiosity,
             bounce: depth + 1,
+            below: self.vertex.path.below,
             level: settings.start_level(depth),
             weight,
             interiors: Interiors::default(),

@@ -9,6 +9,7 @@ mod irradiance;
 mod secondary;
 mod surface;
 mod told;
+mod translucence;
 
 pub(super) use air::escaped;
 pub(super) use told::{Story, told};

@@ -106,12 +106,20 @@ impl Refraction {
         let beyond = |direction: DVec3, wavelength: Option<f64>| {
             let level = vertex.path.level + u32::from(self.bend != Bend::Straight);
             let (ray, range) = vertex.leave(direction);
-            let kind = match vertex.path.kind {
-                kind @ (RayKind::Reflected | RayKind::Radiosity) => kind,
-                _ => RayKind::Refracted,
-            };
-            let bounce = vertex.path.bounce;
-            Path { ray, range, bounce, kind, level, weight, interiors: self.interiors.clone(), wavelength, random }
+            let kind = kind_beyond(vertex.path.kind);
+            let (bounce, below) = (vertex.path.bounce, vertex.path.below);
+            Path {
+                ray,
+                range,
+                bounce,
+                below,
+                kind,
+                level,
+                weight,
+                interiors: self.interiors.clone(),
+                wavelength,
+                random,
+            }
         };
         let path = match self.bend {
             Bend::Straight => beyond(vertex.view(), vertex.path.wavelength),
@@ -158,6 +166,14 @@ impl Refraction {
     }
 }
 
+/// Of a ray that goes on through a surface.
+pub(super) fn kind_beyond(kind: RayKind) -> RayKind {
+    match kind {
+        kind @ (RayKind::Reflected | RayKind::Radiosity) => kind,
+        _ => RayKind::Refracted,
+    }
+}
+
 /// The mirrored ray about a normal; it stays in the objects in which it came.
 #[inline(always)]
 pub(super) fn mirrored(vertex: &Vertex<'_>, normal: DVec3, weight: f32, random: Random) -> Path {
@@ -166,6 +182,7 @@ pub(super) fn mirrored(vertex: &Vertex<'_>, normal: DVec3, weight: f32, random: 
         ray,
         range,
         bounce: vertex.path.bounce,
+        below: vertex.path.below,
         kind: if vertex.path.bounce > 0 { RayKind::Radiosity } else { RayKind::Reflected },
         level: vertex.path.level + 1,
         weight,
@@ -191,7 +208,7 @@ fn mirror_direction(direction: DVec3, normal: DVec3, facing: DVec3) -> DVec3 {
 ///
 /// The part across the normal is what Snell's law is about: taken from the direction itself, not from the cosine, it stays
 /// exact however near to the normal a strong refraction brings a ray.
-fn refracted(direction: DVec3, normal: DVec3, eta: f64) -> Option<DVec3> {
+pub(super) fn refracted(direction: DVec3, normal: DVec3, eta: f64) -> Option<DVec3> {
     let normal = if direction.dot(normal) <= 0.0 { normal } else { -normal };
     let across = eta * (direction - direction.dot(normal) * normal);
     let along_squared = 1.0 - across.length_squared();

@@ -4,6 +4,7 @@
 
 use super::irradiance::Indirect;
 use super::secondary::Boundary;
+use super::translucence::from_below;
 use crate::math::{Color, DVec3, Rgb, gray};
 use crate::render::film::{Gather, Term};
 use crate::render::light::{ArrivingLight, direct_light};
@@ -81,6 +82,8 @@ pub(super) fn shade<'t, G: Gather>(
     let mut albedo = Rgb::ZERO;
     let mut top_normal = vertex.facing;
     let mut indirect = Indirect::default();
+    // Once light from everywhere went below a layer, those under it get none, as in POV-Ray.
+    let mut below_asks = false;
     let wants_lights = worker.wants_lights(vertex.path);
     for (depth, layer) in layers.iter().enumerate() {
         if share(filter) <= bailout {
@@ -107,12 +110,23 @@ pub(super) fn shade<'t, G: Gather>(
         }
         let (opacity, random) = (opacity(world, &color), layers.random());
         let is_only = layers.are_only(vertex.surface);
-        let lit = SurfaceLayer { finish, normal, albedo: color.rgb, opacity, depth, is_only, random };
+        let translucency = worker.prepared.subsurface.and(finish.translucency);
+        let (diffuse, diffuse_back) = match translucency {
+            None => (finish.diffuse, finish.diffuse_back),
+            Some(_) => (0.0, 0.0),
+        };
+        let lit =
+            SurfaceLayer { finish, normal, diffuse, diffuse_back, albedo: color.rgb, opacity, depth, is_only, random };
         let emission = color.rgb * worker.own_light(finish) * lit.opacity;
         let direct =
             if finish.uses_lights && wants_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
         shaded.found.add_own(filter, emission, direct);
-        if worker.prepared.radiosity.is_some() {
+        if let Some((settings, translucency)) = worker.subsurface(vertex.path).zip(translucency) {
+            let light = from_below(worker, vertex, &lit, (settings, translucency));
+            shaded.found.add(Term::Subsurface, Radiance::opaque(filter * light));
+            below_asks |= settings.radiosity;
+        }
+        if worker.prepared.radiosity.is_some() && !below_asks {
             let light = indirect.reflected(worker, vertex, &lit, filter);
             shaded.found.add(Term::Indirect, Radiance::opaque(filter * light));
         }
