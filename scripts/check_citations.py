@@ -26,6 +26,7 @@ PAGES = {
     "shading": "shading.md",
     "pattern": "patterns.md",
     "radiosity": "radiosity.md",
+    "subsurface": "subsurface.md",
 }
 PLACES = ["src", "tests", "benches", "golden", "scripts", "docs", "examples", "fuzz", "grammar", ".ci"]
 SUFFIXES = {".rs", ".py", ".sh", ".md", ".pov", ".inc", ".toml", ".txt", ".pest", ""}

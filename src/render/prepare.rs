@@ -50,7 +50,10 @@ impl<'w> Prepared<'w> {
             }),
             camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
             radiosity: world.radiosity.as_ref().filter(|_| options.indirect_light()).map(Shared::new),
-            subsurface: world.subsurface.as_ref().filter(|_| options.indirect_light()),
+            subsurface: world
+                .subsurface
+                .as_ref()
+                .filter(|_| features.translucent_textures > 0 && options.indirect_light()),
             settling: world.media.iter().map(|medium| Settling::new(&medium.sampling)).collect(),
             has_air: options.atmosphere() && features.has_air(),
             side_by_side: one_ray_a_position(world)

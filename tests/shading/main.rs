@@ -12,6 +12,7 @@ mod media;
 mod radiosity;
 mod recursion;
 mod shadows;
+mod subsurface;
 
 use whitted::compile::{self, Queries};
 use whitted::eval::{self, Memory};
