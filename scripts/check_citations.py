@@ -27,6 +27,7 @@ PAGES = {
     "pattern": "patterns.md",
     "photon": "photons.md",
     "radiosity": "radiosity.md",
+    "subsurface": "subsurface.md",
 }
 PLACES = ["src", "tests", "benches", "golden", "scripts", "docs", "examples", "fuzz", "grammar", ".ci"]
 SUFFIXES = {".rs", ".py", ".sh", ".md", ".pov", ".inc", ".toml", ".txt", ".pest", ""}

@@ -67,8 +67,8 @@ pub(super) struct Arguments {
     /// X1 and Y1 not included. Its pixels are those of the whole picture; an EXR file keeps its place
     #[arg(long, value_parser = region, value_name = "X0,Y0,X1,Y1")]
     region: Option<Region>,
-    /// Write layers into the EXR file: all, or a list of Z, P, N, Ng, albedo, emission, direct, reflection,
-    /// refraction, background, atmosphere, samples, variance, CryptoObject and CryptoMaterial
+    /// Write layers into the EXR file: all, or a list of Z, P, N, Ng, albedo, emission, direct, indirect, caustics, subsurface, reflection,
+    /// refraction, background, atmosphere, media, samples, variance, CryptoObject and CryptoMaterial
     #[arg(long, value_parser = layers, value_name = "LIST")]
     layers: Option<Layers>,
     /// Say what the scene has, what of it is left out because the picture does not need it, and which rays it took

@@ -15,6 +15,8 @@ pub struct Features {
     pub patterned_textures: usize,
     /// Textures with a layer that mirrors.
     pub mirroring_textures: usize,
+    /// Textures with a layer that light goes below, where the scene has such light.
+    pub translucent_textures: usize,
     /// Textures with bumps.
     pub bumpy_textures: usize,
     /// Textures whose colours are found for four neighbours at once.
@@ -51,6 +53,7 @@ impl Features {
             see_through_textures: world.opaque.iter().filter(|opaque| !**opaque).count(),
             patterned_textures: textures(|texture| matches!(texture, Texture::Patterned(_))),
             mirroring_textures: textures(|texture| any_layer(texture, |layer| layer.finish.reflection.is_some())),
+            translucent_textures: textures(|texture| any_layer(texture, |layer| layer.finish.translucency.is_some())),
             bumpy_textures: textures(|texture| any_layer(texture, |layer| layer.normal.is_some())),
             side_by_side_textures: textures(Texture::is_side_by_side),
             side_by_side_sky: atmosphere.sky.as_ref().is_some_and(Sky::is_side_by_side),
@@ -87,11 +90,12 @@ impl Features {
     }
 
     /// Their names and counts, in a fixed order.
-    pub fn summary(&self) -> [(&'static str, usize); 14] {
+    pub fn summary(&self) -> [(&'static str, usize); 15] {
         [
             ("see-through textures", self.see_through_textures),
             ("patterned textures", self.patterned_textures),
             ("mirroring textures", self.mirroring_textures),
+            ("translucent textures", self.translucent_textures),
             ("bumpy textures", self.bumpy_textures),
             ("side by side textures", self.side_by_side_textures),
             ("side by side skies", usize::from(self.side_by_side_sky)),

@@ -58,7 +58,10 @@ impl<'w> Prepared<'w> {
                 .as_ref()
                 .filter(|_| options.indirect_light())
                 .map(|r| Shared::new(r, options.known_light.as_deref())),
-            subsurface: world.subsurface.as_ref().filter(|_| options.indirect_light()),
+            subsurface: world
+                .subsurface
+                .as_ref()
+                .filter(|_| features.translucent_textures > 0 && options.indirect_light()),
             settling: world.media.iter().map(|medium| Settling::new(&medium.sampling)).collect(),
             has_air: options.atmosphere() && features.has_air(),
             side_by_side: one_ray_a_position(world)

@@ -13,6 +13,7 @@ mod photons;
 mod radiosity;
 mod recursion;
 mod shadows;
+mod subsurface;
 
 use whitted::compile::{self, Queries};
 use whitted::eval::{self, Memory};

@@ -1,5 +1,6 @@
 //! `background`, `sky_sphere`, `fog` and `rainbow`.
 
+use super::pattern_modifiers::TURBULENCE;
 use super::table::{Block, Item, Takes};
 use crate::diag::{SourceResult, Topic};
 use crate::eval::{Evaluator, Value};
@@ -141,13 +142,7 @@ impl Evaluator<'_> {
         fog.span = span;
         loop {
             self.comma()?;
-            let keyword = self.keyword()?;
-            if let Some(keyword) = keyword
-                && self.turbulence_item(keyword, &mut fog.turbulence)?
-            {
-                continue;
-            }
-            if self.item_of(&FOG, &mut fog)? {
+            if self.item_of(&FOG, &mut fog)? || self.item_of(&TURBULENCE, &mut fog.turbulence)? {
                 continue;
             }
             if self.at_color()? {

@@ -21,6 +21,7 @@ mod modifiers;
 mod normal;
 mod object;
 mod pattern;
+mod pattern_modifiers;
 mod pigment;
 mod settings;
 mod shape;
@@ -64,6 +65,8 @@ static TABLES: &[&dyn Table] = &[
     &light::LIGHT_SOURCE,
     &modifiers::MODIFIERS,
     &modifiers::PHOTONS,
+    &pattern_modifiers::MODIFIERS,
+    &pattern_modifiers::TURBULENCE,
     &settings::GLOBAL_SETTINGS,
     &texture::LAYER,
 ];
