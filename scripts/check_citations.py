@@ -25,6 +25,7 @@ PAGES = {
     "freeform": "shapes-freeform.md",
     "shading": "shading.md",
     "pattern": "patterns.md",
+    "photon": "photons.md",
     "radiosity": "radiosity.md",
     "subsurface": "subsurface.md",
 }

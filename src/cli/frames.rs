@@ -129,7 +129,7 @@ fn frame(
         Ok(outcome) => outcome,
         Err(failed) => return (told(failed.diagnostics, failed.sources, Some("the scene has errors".into())), None),
     };
-    let failure = session.write(&mut outcome, &job.outputs).err().map(|error| error.to_string());
+    let failure = session.write(&mut outcome, &job).err().map(|error| error.to_string());
     let at_once = outcome.at_once(session.threads(), &job);
     (told(outcome.warnings, outcome.sources, failure), Some(at_once))
 }

@@ -18,6 +18,7 @@ pub(super) struct Bar {
 impl Observer for Bar {
     fn entered(&self, stage: Stage) {
         self.bar.set_message(match stage {
+            Stage::Photons => "photons",
             Stage::Radiosity => "radiosity",
             Stage::Picture => "picture",
         });

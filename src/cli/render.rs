@@ -5,7 +5,7 @@ use super::progress::{Bar, end_on_interrupt, progress_bar, stop_on_interrupt};
 use super::scene_arguments::SceneArguments;
 use super::{ERROR, explain, fail, frames, messages};
 use crate::imaging::{FileKind, check_writable};
-use crate::job::{Earlier, Exposure, Job, Keeping, Outcome, Output, PATIENCE, Session};
+use crate::job::{Earlier, Exposure, Job, Keeping, LightFiles, Outcome, Output, PATIENCE, Session};
 use crate::render::{Antialias, End, ImageLayer, Method, Options, Progress, Region, Target};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -67,8 +67,8 @@ pub(super) struct Arguments {
     /// X1 and Y1 not included. Its pixels are those of the whole picture; an EXR file keeps its place
     #[arg(long, value_parser = region, value_name = "X0,Y0,X1,Y1")]
     region: Option<Region>,
-    /// Write layers into the EXR file: all, or a list of Z, P, N, Ng, albedo, emission, direct, reflection,
-    /// refraction, background, atmosphere, samples, variance, CryptoObject and CryptoMaterial
+    /// Write layers into the EXR file: all, or a list of Z, P, N, Ng, albedo, emission, direct, indirect, caustics, subsurface, reflection,
+    /// refraction, background, atmosphere, media, samples, variance, CryptoObject and CryptoMaterial
     #[arg(long, value_parser = layers, value_name = "LIST")]
     layers: Option<Layers>,
     /// Say what the scene has, what of it is left out because the picture does not need it, and which rays it took
@@ -79,6 +79,14 @@ pub(super) struct Arguments {
     /// finished frames are
     #[arg(long, conflicts_with_all = ["target_error", "time_budget", "rounds"])]
     resume: bool,
+    /// Take light between surfaces from FILE, as an earlier picture of the scene has left it; what is missing is found. POV-Ray's
+    /// files (+RFO) are taken, too
+    #[arg(long, value_name = "FILE")]
+    radiosity_from: Option<PathBuf>,
+    /// Write the light between surfaces that is known after the picture to FILE; it may be that of --radiosity-from, which
+    /// grows from frame to frame
+    #[arg(long, value_name = "FILE")]
+    radiosity_to: Option<PathBuf>,
     #[command(flatten)]
     animation: frames::Frames,
     /// Say how long each stage took
@@ -194,6 +202,7 @@ impl Arguments {
             alpha: self.alpha,
             region: self.region,
             layers: self.layers.as_ref().map_or_else(Vec::new, |layers| layers.0.clone()),
+            ..Options::default()
         }
     }
 
@@ -262,6 +271,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         exposure,
         keeping: if arguments.resume { Keeping::Resuming } else { Keeping::New },
         patience: PATIENCE,
+        light: LightFiles { from: arguments.radiosity_from.clone(), to: arguments.radiosity_to.clone() },
     };
     if let Some(animation) = animation {
         return frames::run(&arguments.scene, &job, &animation, arguments.threads);
@@ -290,7 +300,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     if !outcome.complete {
         return fail("stopped before every pixel was seen; nothing is written");
     }
-    if let Err(error) = session.write(&mut outcome, &job.outputs) {
+    if let Err(error) = session.write(&mut outcome, &job) {
         return fail(error);
     }
     if std::io::stderr().is_terminal() {

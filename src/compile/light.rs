@@ -1,6 +1,7 @@
 //! Light sources: angles become cosines, defaults become what they mean.
 
 use super::geometry::{PlacedLight, compile_object};
+use super::photons;
 use crate::compiled::light::{Area, Beam, Light};
 use crate::diag::{Diagnostic, SourceResult, Topic};
 use crate::math::DVec3;
@@ -34,6 +35,8 @@ pub(super) fn light(placed: &PlacedLight) -> SourceResult<Light> {
         projected_through,
         media_attenuation: light.media_attenuation && light.media_interaction,
         lights_media: light.media_interaction && light.kind != LightKind::Shadowless,
+        photons: photons::role(&light.photons),
+        samples_shoot: light.photons.area_light && extended.is_some(),
     })
 }
 

@@ -36,6 +36,7 @@ pub(super) fn medium(media: &scene::Media, compiler: &mut TextureCompiler<'_>) -
         densities,
         has_density: !media.density.is_empty(),
         ends_plain: media.density.last().is_none_or(|last| matches!(**last, Density::Solid(_))),
+        collects_photons: media.collect,
     })
 }
 

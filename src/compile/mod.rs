@@ -5,6 +5,7 @@ mod function;
 pub mod geometry;
 mod light;
 mod medium;
+mod photons;
 mod picture;
 mod queries;
 mod radiosity;

@@ -4,14 +4,14 @@ use super::function::Functions;
 use super::geometry::{CompiledGeometry, PlacedLight, Watched, compile_object_sharing};
 use super::subsurface::ReducedAlbedos;
 use super::texture::{Refusal, TextureCompiler, noise_generator};
-use super::{camera, light, medium};
+use super::{camera, light, medium, photons};
 use crate::compiled::atmosphere::{Atmosphere, Background, Fog, FogTurbulence, Rainbow, Sky};
 use crate::compiled::geometry::{InteriorId, LightGroupId, TextureId, Touching};
 use crate::compiled::interior::{Interior, InteriorFade};
 use crate::compiled::medium::Medium;
 use crate::compiled::texture::Texture;
 use crate::compiled::{Features, Settings, Table, Transfer, World};
-use crate::diag::{Diagnostic, SourceResult, Span, Topic};
+use crate::diag::{Diagnostic, SourceResult};
 use crate::math::noise::Octaves;
 use crate::math::{Color, DVec3};
 use crate::omission::{Found, Keep, Ledger, Omission};
@@ -59,6 +59,7 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
         interiors,
         lights,
         light_groups,
+        targets,
         labels,
         mut warnings,
         watched,
@@ -76,7 +77,7 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
     let atmosphere = note(atmosphere(scene, &mut compiler, &mut media), &mut errors);
     let Lights { all: lights, global: global_lights, of_groups: group_lights } =
         place_lights(lights, &light_groups, &mut warnings)?;
-    warn_about_light(scene, &mut warnings);
+    let photons = photons::photons(&scene.settings, targets, &lights, &global_lights, &mut warnings)?;
     let (Some(camera), Some(interiors), Some(atmosphere), true) = (camera, interiors, atmosphere, errors.is_empty())
     else {
         return Err(errors);
@@ -98,6 +99,7 @@ pub fn compile_with(scene: &Scene, functions: &Functions, keep: Keep) -> SourceR
         camera,
         atmosphere,
         settings: settings(&scene.settings),
+        photons,
         radiosity: scene.settings.radiosity.as_ref().map(|r| super::radiosity::radiosity(r, &scene.settings)),
         subsurface,
         labels,
@@ -318,15 +320,6 @@ fn rainbow(rainbow: &scene::Rainbow, compiler: &mut TextureCompiler<'_>) -> Resu
     })
 }
 
-/// What a Whitted renderer leaves out is said once for each feature, where it stands.
-fn warn_about_light(scene: &Scene, warnings: &mut Vec<Diagnostic>) {
-    let settings = &scene.settings;
-    let left_out =
-        [(settings.photons.as_ref().map(|p| p.span), "`photons` are not rendered: caustics will be missing")];
-    let warn = |(span, message): (Option<Span>, &str)| Some(Diagnostic::warning(Topic::Unsupported, span?, message));
-    warnings.extend(left_out.into_iter().filter_map(warn));
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -379,7 +372,8 @@ mod tests {
 
     #[test]
     fn warnings_point_at_what_is_left_out() {
-        check("global_settings { photons { count 5 } }", "`photons`", "photons");
+        let ball = "sphere { 0, 1 photons { target reflection on } } light_source { 9, 1 }";
+        check(&format!("global_settings {{ photons {{ save_file \"a\" }} }} {ball}"), "neither saved", "photons");
         let light = "light_source { 0, 1 area_light x, y, 2000, 2000 }";
         check(light, "2000 x 2000 samples", "light_source");
     }

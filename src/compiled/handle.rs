@@ -87,6 +87,10 @@ handles! {
     pub struct StatementId;
     /// One of the light groups that `compile` collected.
     pub struct LightGroupId;
+    /// An object at which photons are shot.
+    pub struct TargetId;
+    /// What objects say about photons.
+    pub struct PhotonRoleId;
     /// A shape in its place.
     pub(crate) struct PrimitiveId;
     /// Objects that do not combine, shared by instances.
@@ -238,6 +242,6 @@ mod tests {
     #[test]
     fn options_of_handles_take_no_room() {
         assert_eq!(size_of::<Option<NodeId>>(), 4);
-        assert_eq!(size_of::<crate::compiled::geometry::Appearance>(), 36);
+        assert_eq!(size_of::<crate::compiled::geometry::Appearance>(), 40);
     }
 }

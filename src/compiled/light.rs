@@ -3,6 +3,7 @@
 //! Space: world. Source: section 3 of the shading facts (measured).
 
 use super::geometry::Geometry;
+use super::photons::PhotonRole;
 use crate::math::{DVec3, Rgb, power};
 
 /// A light source.
@@ -34,6 +35,10 @@ pub struct Light {
     pub media_attenuation: bool,
     /// It lights media.
     pub lights_media: bool,
+    /// What its photons may do.
+    pub photons: PhotonRole,
+    /// Each of its samples shoots photons.
+    pub samples_shoot: bool,
 }
 
 /// Angular falloff.
@@ -127,7 +132,8 @@ impl Light {
         Arrival { direction, distance, color: self.color * factor as f32 }
     }
 
-    fn angular(&self, point: DVec3, direction: DVec3) -> f64 {
+    /// Factor by which the beam weakens light at a point, `direction` being that to the light.
+    pub fn angular(&self, point: DVec3, direction: DVec3) -> f64 {
         match self.beam {
             Beam::Even => 1.0,
             Beam::Spot { cos_radius, cos_falloff, tightness } => {
@@ -153,7 +159,8 @@ impl Light {
         }
     }
 
-    fn distance_fade(&self, distance: f64) -> f64 {
+    /// Factor by which a way of that length weakens light.
+    pub fn distance_fade(&self, distance: f64) -> f64 {
         match self.fade {
             // Points behind a parallel light have no distance from it: POV-Ray's result there is
             // meaningless or NaN, ours is as if they were at the light.
@@ -222,6 +229,8 @@ mod tests {
             projected_through: None,
             media_attenuation: false,
             lights_media: true,
+            photons: PhotonRole::default(),
+            samples_shoot: false,
         }
     }
 

@@ -27,6 +27,8 @@ pub struct Medium {
     pub has_density: bool,
     /// The density that was written last is a plain colour, or there is none.
     pub ends_plain: bool,
+    /// Light that photons bring it does not get straight from its source.
+    pub collects_photons: bool,
 }
 
 /// A part of a density that depends on the place.

@@ -14,6 +14,7 @@ mod labels;
 pub mod light;
 pub mod medium;
 pub mod mesh_camera;
+pub mod photons;
 pub mod radiosity;
 pub mod subsurface;
 pub mod texture;
@@ -23,6 +24,6 @@ mod world;
 pub type Function = crate::function::Function<texture::PointFunction>;
 
 pub use features::Features;
-pub use handle::{Handle, Table};
+pub use handle::{Handle, Table, TargetId};
 pub use labels::Labels;
 pub use world::{Settings, Transfer, World};

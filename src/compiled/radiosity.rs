@@ -57,6 +57,11 @@ impl Radiosity {
         f64::from(1u32 << depth.min(31))
     }
 
+    /// How far a record with that mean distance counts in the picture.
+    pub fn reach(&self, depth: u32, mean_distance: f32) -> f64 {
+        f64::from(mean_distance) * self.error_bound * self.coarseness(depth)
+    }
+
     /// Rays of a sample.
     pub fn rays(&self, depth: u32) -> u32 {
         (self.count >> depth.min(31)).max(FEWEST_RAYS).min(self.directions)

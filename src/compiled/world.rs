@@ -9,6 +9,7 @@ use super::interior::Interior;
 use super::labels::Labels;
 use super::light::Light;
 use super::medium::Medium;
+use super::photons::Photons;
 use super::radiosity::Radiosity;
 use super::subsurface::Subsurface;
 use super::texture::Texture;
@@ -43,6 +44,8 @@ pub struct World {
     pub settings: Settings,
     /// How light between surfaces is gathered, if it is.
     pub radiosity: Option<Radiosity>,
+    /// How photons are shot and gathered, if they are.
+    pub photons: Option<Photons>,
     /// How light below surfaces is sampled, if it is.
     pub subsurface: Option<Subsurface>,
     /// Names, for layers.

@@ -8,7 +8,7 @@ use crate::compiled::World;
 use crate::diag::{Diagnostic, SourceMap};
 use crate::imaging::{Curve, Metadata, Picture};
 use crate::omission::Ledger;
-use crate::render::{BLOCK, Options, Progress, Statistics};
+use crate::render::{BLOCK, KnownLight, Options, Progress, Statistics};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -73,15 +73,18 @@ pub struct Outcome {
     pub explanation: Explanation,
     /// What an earlier run had left.
     pub earlier: Earlier,
+    /// Light between surfaces, if it is to be written and the scene has any.
+    pub(super) light: Option<KnownLight>,
     /// Pieces of the picture, until it is in its file.
     pub(super) state: Option<State>,
 }
 
 impl Outcome {
-    /// How many pictures of this job's kind at once keep so many threads busy; those for standard output come in order.
+    /// How many pictures of this job's kind at once keep so many threads busy; those for standard output come in order, and
+    /// so do those that hand light on.
     pub fn at_once(&self, threads: usize, job: &Job) -> usize {
         let is_piped = job.outputs.iter().any(|output| output.file == Path::new("-"));
-        if is_piped { 1 } else { self.timings.at_once(threads, &job.rendering) }
+        if is_piped || job.light.hand_on() { 1 } else { self.timings.at_once(threads, &job.rendering) }
     }
 }
 

@@ -48,6 +48,7 @@ impl Words {
         if !options.layers.is_empty() {
             self.say("layers", listed(options.layers.iter().map(|layer| layer.name())));
         }
+        self.maybe("radiosity-from", job.light.from.as_ref().map(|file| file.display()));
         if !job.exposure.is_a_moment() {
             // What is known of the shutter is what it does to the clock.
             self.say("exposure", job.exposure.span);

@@ -100,6 +100,8 @@ impl Session {
 
     /// From a scene that is ready to a picture.
     pub fn develop(&self, job: &Job, ready: Ready, observer: &dyn Observer) -> Outcome {
+        let (job, light_warnings) = job.with_known_light();
+        let job = &*job;
         let identity = Identity::new(job, &ready.digest);
         let (state, earlier) = state_of(job, identity).map_or((None, Earlier::Nothing), |(s, e)| (Some(s), e));
         let Ready { world, watched, ledger, mut warnings, sources, mut timings, .. } = ready;
@@ -110,6 +112,7 @@ impl Session {
         let keeping = state.as_ref().map(|state| state::Keeping { observer, state });
         let observer = keeping.as_ref().map_or(observer, |keeping| keeping as &dyn Observer);
         let rendered = timings.time("render", || self.picture(&world, &options, observer));
+        warnings.extend(light_warnings);
         warnings.extend(watched.iter().filter_map(Watched::warning));
         let metadata = Metadata {
             software: concat!("whitted ", env!("CARGO_PKG_VERSION")).into(),
@@ -121,7 +124,7 @@ impl Session {
             figures: figures(&rendered, job.rendering.target.as_ref()),
             notes: notes(&rendered, identity),
         };
-        let Rendered { picture, complete, progress, statistics } = rendered;
+        let Rendered { picture, complete, progress, statistics, light } = rendered;
         let explanation = Explanation { found: world.summary(), ledger, rays: statistics };
         let display_values = world.settings.display_values;
         let working = world.settings.transfer.curve();
@@ -137,6 +140,7 @@ impl Session {
             timings,
             explanation,
             earlier,
+            light,
             state,
         }
     }
@@ -164,19 +168,20 @@ impl Session {
         Ok(outcome)
     }
 
-    /// Writes a picture's files, each whole or not at all.
+    /// Writes a job's files, each whole or not at all.
     ///
     /// # Errors
     /// When one cannot be written; those before it are there.
-    pub fn write(&self, outcome: &mut Outcome, outputs: &[Output]) -> Result<(), ImageError> {
-        let Outcome { picture, metadata, display_values, working, timings, state, .. } = outcome;
+    pub fn write(&self, outcome: &mut Outcome, job: &Job) -> Result<(), ImageError> {
+        let Outcome { picture, metadata, display_values, working, timings, state, light, .. } = outcome;
         let save = |output: &Output| {
             let curve = if *display_values { Curve::Srgb } else { output.encoding.curve };
             let encoding = Encoding { curve, working: *working, ..output.encoding };
             imaging::save_as(&output.file, output.kind, picture, metadata, &encoding)
         };
-        let save = || outputs.iter().try_for_each(save);
-        let written = timings.time("write", || self.on_all_threads(save));
+        let save = || job.outputs.iter().try_for_each(save);
+        let written =
+            timings.time("write", || self.on_all_threads(save)).and_then(|()| job.light.write(light.as_ref()));
         // A picture that could not be written can still be, from its pieces.
         if let Some(state) = state.as_ref().filter(|_| written.is_ok()) {
             state.discard();
@@ -189,7 +194,8 @@ impl Session {
     pub fn is_made(&self, job: &Job, ready: &Ready) -> Option<bool> {
         let file = job.marked_file()?;
         let bytes = std::fs::read(file).ok().filter(|bytes| !bytes.is_empty())?;
-        let is_made = imaging::mark_of(&bytes).as_deref() == Some(&*Identity::new(job, &ready.digest).to_string());
+        let is_made = imaging::mark_of(&bytes).as_deref()
+            == Some(&*Identity::new(&job.with_known_light().0, &ready.digest).to_string());
         if is_made {
             imaging::sweep(file);
             let _ = std::fs::remove_file(state::state_file(file));

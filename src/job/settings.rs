@@ -1,6 +1,6 @@
 //! Everything that a picture depends on.
 
-use super::Exposure;
+use super::{Exposure, LightFiles};
 use crate::eval;
 use crate::imaging::{Encoding, FileKind};
 use crate::render;
@@ -24,6 +24,8 @@ pub struct Job {
     pub keeping: Keeping,
     /// How long a picture takes before its pieces are kept.
     pub patience: Duration,
+    /// Where light between surfaces comes from and goes to.
+    pub light: LightFiles,
 }
 
 /// A patience for people: what is made until then is made again as fast, and to keep it would cost small pictures a tenth of

@@ -20,6 +20,8 @@ pub enum ImageLayer {
     Direct,
     /// Light from other surfaces, gathered by radiosity, sent back by the first surface.
     Indirect,
+    /// Light that photons have brought.
+    Caustics,
     /// Light that comes from below the first surface.
     Subsurface,
     /// What the first surface mirrors.
@@ -44,7 +46,7 @@ pub enum ImageLayer {
 
 impl ImageLayer {
     /// All layers, in the order in which they are documented.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
@@ -53,6 +55,7 @@ impl ImageLayer {
         Self::Emission,
         Self::Direct,
         Self::Indirect,
+        Self::Caustics,
         Self::Subsurface,
         Self::Reflection,
         Self::Refraction,
@@ -76,6 +79,7 @@ impl ImageLayer {
             Self::Emission => "emission",
             Self::Direct => "direct",
             Self::Indirect => "indirect",
+            Self::Caustics => "caustics",
             Self::Subsurface => "subsurface",
             Self::Reflection => "reflection",
             Self::Refraction => "refraction",
@@ -92,8 +96,9 @@ impl ImageLayer {
     /// Whether it is a colour in linear light. Variance is a square of working values; Cryptomatte holds names.
     pub(super) fn is_color(self) -> bool {
         match self {
-            Self::Albedo | Self::Emission | Self::Direct | Self::Indirect | Self::Subsurface => true,
-            Self::Reflection | Self::Refraction | Self::Background | Self::Atmosphere | Self::Media => true,
+            Self::Albedo | Self::Emission | Self::Direct | Self::Indirect | Self::Caustics => true,
+            Self::Subsurface | Self::Reflection | Self::Refraction => true,
+            Self::Background | Self::Atmosphere | Self::Media => true,
             Self::Depth | Self::Position | Self::Normal | Self::GeometricNormal => false,
             Self::Samples | Self::Variance | Self::CryptoObject | Self::CryptoMaterial => false,
         }

@@ -7,11 +7,12 @@
 //! Read from the bottom of this list upwards, each module knows those below it:
 //!
 //! - `picture`: the whole; `told`: one pixel in words; `progressive`: rounds of samples until the error is small; `antialias`: POV-Ray's positions;
-//! - `pretrace`: light between surfaces, before the picture;
+//! - `shoot`: photons, and `pretrace`: light between surfaces, before the picture;
 //! - `work`: blocks on all cores; `sensor`: the rays through an image position;
 //! - `transport`: the recursion; `light`: what arrives at a vertex from light sources; `shade`: layers as values;
 //! - `film`: what is kept of light; `worker`, `prepare`: what a thread owns, what all share;
-//! - `radiosity`: records of light between surfaces; `subsurface`: what materials do with light below theirs;
+//! - `radiosity`: records of light between surfaces; `photons`: light that was carried by way of glass and mirrors;
+//!   `subsurface`: what materials do with light below theirs;
 //! - `medium`, `environment`: what a ray passes, what it sees at the end; `camera`; `vertex`, `path`;
 //! - `enough`, `random`, `jitter`, `radiance`, `statistics`, `observer`, `options`.
 
@@ -27,6 +28,7 @@ mod medium;
 mod observer;
 mod options;
 mod path;
+mod photons;
 mod picture;
 mod prepare;
 mod pretrace;
@@ -36,6 +38,7 @@ mod radiosity;
 mod random;
 mod sensor;
 mod shade;
+mod shoot;
 mod statistics;
 mod subsurface;
 mod told;
@@ -51,5 +54,6 @@ pub use options::{Antialias, Method, Options, Region, Target};
 pub use picture::{Rendered, render};
 pub use progressive::{Accuracy, End, Progress};
 pub use radiance::Radiance;
+pub use radiosity::KnownLight;
 pub use statistics::Statistics;
 pub use told::{Told, tell};

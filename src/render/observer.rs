@@ -5,6 +5,8 @@ use super::statistics::Statistics;
 /// What a picture is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
+    /// Photons are shot.
+    Photons,
     /// Light between surfaces is gathered.
     Radiosity,
     /// Pixels.

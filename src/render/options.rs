@@ -1,6 +1,8 @@
 //! What the user may choose about a picture of a world.
 
 use super::image_layer::ImageLayer;
+use super::radiosity::KnownLight;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Choices that are not part of the scene.
@@ -22,6 +24,10 @@ pub struct Options {
     pub region: Option<Region>,
     /// What is written beside the picture.
     pub layers: Vec<ImageLayer>,
+    /// Light between surfaces that is known from another picture.
+    pub known_light: Option<Arc<KnownLight>>,
+    /// What is found of it is wanted after the picture.
+    pub keeps_light: bool,
 }
 
 /// When a picture is good enough. Whatever comes first ends it.
@@ -159,6 +165,8 @@ impl Default for Options {
             alpha: false,
             region: None,
             layers: Vec::new(),
+            known_light: None,
+            keeps_light: false,
         }
     }
 }

@@ -12,7 +12,9 @@ use super::prepare::Prepared;
 use super::pretrace::pretrace;
 use super::progressive::{self, Found, Progress};
 use super::radiance::Radiance;
+use super::radiosity::KnownLight;
 use super::sensor::at_grid;
+use super::shoot::shoot;
 use super::statistics::Statistics;
 use super::work::Work;
 use super::worker::Worker;
@@ -31,6 +33,8 @@ pub struct Rendered {
     pub complete: bool,
     /// How a picture with a target came about.
     pub progress: Option<Progress>,
+    /// Light between surfaces, if it is wanted and the scene has any.
+    pub light: Option<KnownLight>,
 }
 
 /// Renders the picture, or the part of it that is asked for, on the threads of the caller's pool.
@@ -38,16 +42,20 @@ pub struct Rendered {
 /// The result is the same bits for any number of them, and a part's pixels are those of the whole picture.
 pub fn render(world: &World, options: &Options, observer: &dyn Observer) -> Rendered {
     let mut prepared = Prepared::new(world, options);
-    let before = pretrace(&mut prepared, observer);
+    let shot = shoot(&mut prepared, observer);
+    let before = pretrace(&mut prepared, observer).plus(shot);
     observer.entered(Stage::Picture);
     let work = Work { prepared: &prepared, observer };
+    let with_before = |rendered: Rendered| {
+        let shared = prepared.radiosity.as_ref().filter(|_| options.keeps_light);
+        let light = shared.map(|shared| shared.known_light(options.known_light.as_deref()));
+        Rendered { statistics: rendered.statistics.plus(before), light, ..rendered }
+    };
     if options.layers.is_empty() {
-        let mut rendered = render_film::<Radiance>(&work).0;
-        rendered.statistics = rendered.statistics.plus(before);
-        return rendered;
+        return with_before(render_film::<Radiance>(&work).0);
     }
-    let (mut rendered, film) = render_film::<Detail>(&work);
-    rendered.statistics = rendered.statistics.plus(before);
+    let (rendered, film) = render_film::<Detail>(&work);
+    let mut rendered = with_before(rendered);
     // Where samples went is told already if there was a target.
     let layers = options.layers.iter().filter(|layer| options.target.is_none() || **layer != ImageLayer::Samples);
     rendered.picture.layers.extend(layers.flat_map(|layer| layer.build(world, film.pixels())));
@@ -61,7 +69,7 @@ fn render_film<G: Gather>(work: &Work<'_>) -> (Rendered, Film<G>) {
             let Found { film, statistics, complete, progress, layers } = progressive::render(work, target);
             let mut picture = film.picture(work.prepared.world, options);
             picture.layers = layers;
-            (Rendered { picture, statistics, complete, progress: Some(progress) }, film)
+            (Rendered { picture, statistics, complete, progress: Some(progress), light: None }, film)
         }
         None => render_once(work),
     }
@@ -109,7 +117,7 @@ fn render_once<G: Gather>(work: &Work<'_>) -> (Rendered, Film<G>) {
     let film = Film::new(window, pixels);
     let picture = film.picture(world, options);
     let complete = !work.observer.cancels();
-    (Rendered { picture, statistics: first.plus(second), complete, progress: None }, film)
+    (Rendered { picture, statistics: first.plus(second), complete, progress: None, light: None }, film)
 }
 
 /// The samples of a block: those of an earlier run if there are any, else made now.

@@ -1,11 +1,12 @@
 //! What is worked out once, before the first block.
 //!
 //! [`Prepared`] is made on one thread, or by many in an order that does not depend on them, and every worker reads it.
-//! `pretrace` fills what is known of light between surfaces.
+//! `shoot` fills what photons bring, `pretrace` what is known of light between surfaces.
 
 use super::camera::Lens;
 use super::medium::{Interiors, Settling};
 use super::options::Options;
+use super::photons::Caught;
 use super::radiosity::Shared;
 use crate::compiled::World;
 use crate::compiled::camera::Projection;
@@ -25,6 +26,8 @@ pub(super) struct Prepared<'w> {
     pub(super) camera_interiors: Option<Interiors>,
     /// Within this distance a camera ray meets nothing.
     pub(super) camera_near: f64,
+    /// Light that photons have brought, once they are shot.
+    pub(super) photons: Option<Caught<'w>>,
     /// What is known of light between surfaces, where it counts.
     pub(super) radiosity: Option<Shared<'w>>,
     /// How light below surfaces is sampled, where it counts.
@@ -49,7 +52,12 @@ impl<'w> Prepared<'w> {
                 false => Interiors::default(),
             }),
             camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
-            radiosity: world.radiosity.as_ref().filter(|_| options.indirect_light()).map(Shared::new),
+            photons: None,
+            radiosity: world
+                .radiosity
+                .as_ref()
+                .filter(|_| options.indirect_light())
+                .map(|r| Shared::new(r, options.known_light.as_deref())),
             subsurface: world
                 .subsurface
                 .as_ref()

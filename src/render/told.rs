@@ -6,6 +6,7 @@ use super::options::Options;
 use super::prepare::Prepared;
 use super::pretrace::pretrace;
 use super::sensor::told_at;
+use super::shoot::shoot;
 use super::worker::Worker;
 use crate::compiled::World;
 
@@ -21,6 +22,7 @@ pub struct Told {
 /// Tells how the pixel in a column and row comes about, without antialiasing.
 pub fn tell(world: &World, options: &Options, [column, row]: [usize; 2]) -> Told {
     let mut prepared = Prepared::new(world, options);
+    shoot(&mut prepared, &Unobserved);
     pretrace(&mut prepared, &Unobserved);
     let mut worker = Worker::new(&prepared);
     let (light, text) = told_at(&mut worker, [column as f64, row as f64]);

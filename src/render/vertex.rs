@@ -6,6 +6,7 @@
 use super::medium::Interiors;
 use super::path::Path;
 use super::random::Random;
+use crate::compiled::World;
 use crate::compiled::geometry::{LightGroupId, Surface};
 use crate::math::{DVec3, Range, Ray};
 
@@ -21,6 +22,8 @@ pub(super) trait Place {
     }
     /// Random choices there.
     fn random(&self) -> Random;
+    /// Whether photons stay there, so that light that they bring comes from them alone.
+    fn collects_photons(&self, world: &World) -> bool;
     /// A ray from there along a unit direction, and where its hits count.
     fn leave(&self, direction: DVec3) -> (Ray, Range);
 }
@@ -47,6 +50,10 @@ impl Place for MediumPoint<'_> {
 
     fn random(&self) -> Random {
         self.random
+    }
+
+    fn collects_photons(&self, world: &World) -> bool {
+        self.path.interiors.media(world).into_iter().any(|medium| world.media[medium].collects_photons)
     }
 
     /// Hits nearer than rounding may bring the point to the surface where the path starts do not count.
@@ -116,6 +123,10 @@ impl Place for Vertex<'_> {
 
     fn random(&self) -> Random {
         self.path.random
+    }
+
+    fn collects_photons(&self, world: &World) -> bool {
+        world.geometry.photon_role(self.surface).collects()
     }
 
     fn leave(&self, direction: DVec3) -> (Ray, Range) {

@@ -2,6 +2,7 @@
 
 use super::options::Options;
 use super::path::Path;
+use super::photons::Nearby;
 use super::prepare::Prepared;
 use super::radiosity::{Gathering, Phase};
 use super::statistics::Statistics;
@@ -19,6 +20,8 @@ pub(super) struct Worker<'w> {
     pub(super) statistics: Statistics,
     /// Of light between surfaces.
     pub(super) gathering: Gathering,
+    /// Photons around a point.
+    pub(super) nearby: Nearby,
 }
 
 impl<'w> Worker<'w> {
@@ -28,6 +31,7 @@ impl<'w> Worker<'w> {
             scratch: Scratch::default(),
             statistics: Statistics::default(),
             gathering: Gathering::default(),
+            nearby: Nearby::default(),
         }
     }
 
@@ -75,13 +79,13 @@ impl<'w> Worker<'w> {
     #[inline]
     pub(super) fn subsurface(&self, path: &Path) -> Option<&'w Subsurface> {
         let seen = || path.bounce == 0 || self.prepared.radiosity.as_ref().is_some_and(|r| r.settings.subsurface);
-        self.prepared.subsurface.filter(|_| seen())
+        self.prepared.subsurface.filter(|_| seen() && !path.kind.is_photon())
     }
 
     /// Whether it matters what lights give at the end of a path: where only places are looked for, it does not.
     #[inline]
     pub(super) fn wants_lights(&self, path: &Path) -> bool {
-        path.bounce > 0 || self.gathering.phase == Phase::Picture
+        (path.bounce > 0 || self.gathering.phase == Phase::Picture) && !path.kind.is_photon()
     }
 
     /// The nearest hit of a path.

@@ -73,7 +73,7 @@ fn made(job: &Job, text: &str, observer: &dyn Observer) -> Earlier {
     let (session, host) = (Session::new(2), Memory::new([("a.pov", text)]));
     let mut outcome = session.render(job, &host, observer).expect("a right scene");
     if outcome.complete {
-        session.write(&mut outcome, &job.outputs).expect("a folder to write in");
+        session.write(&mut outcome, job).expect("a folder to write in");
     }
     outcome.earlier
 }

@@ -9,6 +9,7 @@ mod interiors;
 mod layers;
 mod lights;
 mod media;
+mod photons;
 mod radiosity;
 mod recursion;
 mod shadows;

@@ -286,9 +286,7 @@ fn what_is_behind_shows_straight_through() {
     check(
         "at an angle",
         "subsurface{samples 3000,3000}",
-        &format!(
-            "camera{{location <0,9,-10> look_at -z right x up y angle 1}} box{{<-5,-5,-1>,<5,5,-0.98> pigment{{rgb <1,.5,.25>}} finish{{ambient 0 diffuse .8  subsurface{{translucency .5}}}} interior{{ior 1.3}}}} plane{{-z,-2 pigment{{gradient y scale 4}} finish{{ambient 1 diffuse 0}}}}"
-        ),
+        "camera{location <0,9,-10> look_at -z right x up y angle 1} box{<-5,-5,-1>,<5,5,-0.98> pigment{rgb <1,.5,.25>} finish{ambient 0 diffuse .8  subsurface{translucency .5}} interior{ior 1.3}} plane{-z,-2 pigment{gradient y scale 4} finish{ambient 1 diffuse 0}}",
         [0.155901, 0.14931, 0.133211],
     );
     check(

@@ -29,7 +29,6 @@ pub(super) enum Action {
 
 const SHELL: &str = "shell commands are prohibited, and never run";
 const FIELDS: &str = "fields are not rendered; POV-Ray 3.7 takes the option and renders whole frames, too";
-const RADIOSITY_FILES: &str = "radiosity is not kept in files";
 
 use Action::{Ignore, Note, Work};
 use Takes::{Bool, Gamma, Name, Real, Whole, Word};
@@ -108,9 +107,9 @@ pub(super) static KEYS: &[Key] = &[
     ignore("Preview_End_Size", Whole),
     ignore("Preview_Start_Size", Whole),
     work("Quality", Whole, |s, v| set(&mut s.quality, v.whole())),
-    note("Radiosity_File_Name", Name, RADIOSITY_FILES),
-    note("Radiosity_From_File", Bool, RADIOSITY_FILES),
-    note("Radiosity_To_File", Bool, RADIOSITY_FILES),
+    work("Radiosity_File_Name", Name, |s, v| set(&mut s.radiosity_file, v.text().into())),
+    work("Radiosity_From_File", Bool, |s, v| set(&mut s.radiosity_from_file, v.on())),
+    work("Radiosity_To_File", Bool, |s, v| set(&mut s.radiosity_to_file, v.on())),
     ignore("Radiosity_Vain_Pretrace", Bool),
     note("Real_Time_Raytracing", Bool, "frames are not shown while they are made"),
     ignore("Remove_Bounds", Bool),

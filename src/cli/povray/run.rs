@@ -141,7 +141,7 @@ impl<'r> Run<'r> {
         }
         console.plain(RENDERING);
         let mut outcome = self.picture(&job, ready, console);
-        match self.session.write(&mut outcome, &job.outputs) {
+        match self.session.write(&mut outcome, &job) {
             Ok(()) => {
                 console.say(Sort::Statistics, report::statistics(&outcome));
                 (true, Some(outcome.at_once(self.session.threads(), &job)))
@@ -200,6 +200,7 @@ impl<'r> Run<'r> {
             exposure: Exposure::default(),
             keeping: if settings.continues { Keeping::Resuming } else { Keeping::New },
             patience: PATIENCE,
+            light: settings.light_files(),
         }
     }
 

@@ -1,6 +1,7 @@
 //! What all arguments and INI files together mean.
 
 use crate::imaging::{Curve, Dither, Encoding, FileKind};
+use crate::job::LightFiles;
 use crate::render::{Antialias, Method, Options, Region};
 use std::path::PathBuf;
 
@@ -46,6 +47,9 @@ pub(super) struct Settings {
     pub(super) subset: [Option<f64>; 2],
     pub(super) step: i64,
     pub(super) continues: bool,
+    pub(super) radiosity_file: PathBuf,
+    pub(super) radiosity_from_file: bool,
+    pub(super) radiosity_to_file: bool,
     pub(super) create_ini: Option<PathBuf>,
     pub(super) streams: [Stream; 6],
     pub(super) appends: bool,
@@ -116,6 +120,9 @@ impl Default for Settings {
             subset: [None; 2],
             step: 1,
             continues: false,
+            radiosity_file: "object.rca".into(),
+            radiosity_from_file: false,
+            radiosity_to_file: false,
             create_ini: None,
             streams: std::array::from_fn(|_| Stream { console: true, file: None }),
             appends: false,
@@ -145,6 +152,12 @@ impl Settings {
             region: self.region()?,
             ..Options::default()
         })
+    }
+
+    /// Where light between surfaces comes from and goes to.
+    pub(super) fn light_files(&self) -> LightFiles {
+        let file = |is_wanted: bool| is_wanted.then(|| self.radiosity_file.clone());
+        LightFiles { from: file(self.radiosity_from_file), to: file(self.radiosity_to_file) }
     }
 
     fn antialias(&self) -> Option<Antialias> {

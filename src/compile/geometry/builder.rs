@@ -7,6 +7,7 @@ use super::census::{Census, Entry};
 use super::height_field::GridKey;
 use super::inherit::{Context, TextureParts};
 use super::labels::Labeler;
+use super::photon_targets::Targets;
 use super::primitive::fold;
 use super::quadric_reach::within;
 use super::room::{extent, gap};
@@ -31,7 +32,7 @@ const SHARED_WEIGHT: u64 = 6;
 /// Whether contents used more than once can be built once, as far as the object that holds them decides.
 pub(super) fn can_be_shared(facts: Entry, object: &Object, splits: bool) -> bool {
     let plain = splits || (object.rare.clipped_by.is_empty() && object.rare.bounded_by.is_empty());
-    let movable = !facts.light_groups && !facts.placed_media;
+    let movable = !facts.light_groups && !facts.placed_media && !facts.photon_targets;
     facts.uses > 1 && facts.weight >= SHARED_WEIGHT && movable && plain
 }
 
@@ -67,6 +68,8 @@ pub(super) struct Builder<'a> {
     pub(super) ledger: Ledger,
     /// Sample rays of radiosity meet things, too.
     pub(super) with_radiosity: bool,
+    /// At which photons are shot, if any are.
+    pub(super) targets: Option<Targets>,
     default_interior: Arc<Interior>,
     shared: FxHashMap<(*const Arc<Object>, u8), Shared>,
     n_light_groups: u32,
@@ -99,6 +102,7 @@ impl<'a> Builder<'a> {
             labeler: Labeler::default(),
             ledger: Ledger::new(keep),
             with_radiosity: false,
+            targets: None,
             default_interior: Arc::default(),
             shared: FxHashMap::default(),
             n_light_groups: 0,

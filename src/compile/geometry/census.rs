@@ -22,17 +22,26 @@ pub(super) struct Entry {
     pub(super) finish_ior: bool,
     /// Something in it has media whose density depends on the place.
     pub(super) placed_media: bool,
+    /// Something in it is a target of photons.
+    pub(super) photon_targets: bool,
 }
 
 /// Facts about all lists of children, by address.
 #[derive(Debug, Default)]
 pub(super) struct Census {
+    /// Photons are shot: their targets cannot be shared.
+    with_photons: bool,
     entries: FxHashMap<*const Arc<Object>, Entry>,
     /// Objects that stand in no list of children, by address.
     counted: FxHashMap<*const Object, Entry>,
 }
 
 impl Census {
+    /// Before anything is visited.
+    pub(super) fn new(with_photons: bool) -> Self {
+        Self { with_photons, ..Self::default() }
+    }
+
     /// Visits an object and everything in it.
     pub(super) fn count(&mut self, object: &Object) -> Entry {
         for other in object.rare.clipped_by.iter().chain(&object.rare.bounded_by) {
@@ -49,6 +58,7 @@ impl Census {
         };
         entry.textured |= object.texture.is_some();
         entry.placed_media |= object.interior.as_ref().is_some_and(|interior| interior.has_place());
+        entry.photon_targets |= self.with_photons && object.rare.photons.target.is_some();
         entry.finish_ior |= object.texture.as_ref().is_some_and(|placed| placed.texture.finish_ior().is_some());
         entry
     }
@@ -78,6 +88,7 @@ impl Census {
             sum.textured |= one.textured;
             sum.finish_ior |= one.finish_ior;
             sum.placed_media |= one.placed_media;
+            sum.photon_targets |= one.photon_targets;
         }
         self.entries.insert(key, sum);
         sum

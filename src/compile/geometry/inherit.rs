@@ -5,7 +5,8 @@
 
 use super::builder::Builder;
 use crate::compiled::geometry::{
-    Appearance, AppearanceId, InteriorId, LightGroupId, NodeId, ObjectId, Placement, PlacementId, RayMask, TextureId,
+    Appearance, AppearanceId, InteriorId, LightGroupId, NodeId, ObjectId, PhotonRoleId, Placement, PlacementId,
+    RayMask, TextureId,
 };
 use crate::math::Transform;
 use crate::scene::{Interior, Object, PlacedTexture, Shape, Texture, TextureLayer};
@@ -39,6 +40,7 @@ pub(super) struct Context {
     pub(super) no_shadow: bool,
     pub(super) no_radiosity: bool,
     pub(super) importance: Option<f32>,
+    pub(super) photons: Option<PhotonRoleId>,
     /// Cut faces without texture look for one; holds the solid's root once it is known.
     pub(super) cutaway: bool,
     pub(super) cutaway_root: Option<NodeId>,
@@ -66,6 +68,7 @@ impl Context {
             no_shadow: false,
             no_radiosity: false,
             importance: None,
+            photons: None,
             cutaway: false,
             cutaway_root: None,
             light_group: None,
@@ -90,6 +93,7 @@ impl Context {
             object,
             light_group: self.light_group,
             importance: self.importance,
+            photons: self.photons,
         }
     }
 }
@@ -124,6 +128,7 @@ impl Builder<'_> {
             no_shadow: around.no_shadow || flags.no_shadow,
             no_radiosity: around.no_radiosity || flags.no_radiosity,
             importance: object.rare.radiosity_importance.or(around.importance),
+            photons: self.photon_role(object, around),
             cutaway: around.cutaway || flags.cutaway_textures,
             default_texture: around.default_texture,
             default_ior: around.default_ior,

@@ -12,6 +12,7 @@ mod inherit;
 mod labels;
 mod lights;
 mod patch;
+mod photon_targets;
 mod primitive;
 mod quadric_reach;
 mod room;
@@ -23,6 +24,7 @@ mod watch;
 
 use crate::compile::function::Functions;
 use crate::compiled::geometry::{Geometry, Group, GroupBuilder, InteriorId, LightGroupId, TextureId};
+use crate::compiled::photons::PhotonTarget;
 use crate::compiled::{Labels, Table};
 use crate::diag::{Diagnostic, SourceResult, Span};
 use crate::math::Transform;
@@ -32,6 +34,7 @@ use builder::Builder;
 use census::Census;
 use copies::Copies;
 use lights::collect_lights;
+use photon_targets::Targets;
 use std::sync::Arc;
 
 pub(crate) use extent::extent;
@@ -54,6 +57,8 @@ pub struct CompiledGeometry {
     pub lights: Vec<PlacedLight>,
     /// In file order.
     pub light_groups: Table<LightGroupId, LightGroup>,
+    /// At which photons are shot.
+    pub targets: Vec<PhotonTarget>,
     /// Names of objects and textures.
     pub labels: Labels,
     /// Isosurfaces that may have something to say after rendering, in file order.
@@ -116,7 +121,7 @@ fn build(
     settings: &Settings,
     (functions, keep): (&Functions, Keep),
 ) -> SourceResult<CompiledGeometry> {
-    let mut census = Census::default();
+    let mut census = Census::new(settings.photons.is_some());
     for (object, _) in objects {
         census.count(object);
     }
@@ -136,13 +141,15 @@ fn build(
     }
     let mut builder = Builder::new(&census, objects.len(), functions, keep);
     builder.with_radiosity = settings.radiosity.is_some();
+    builder.targets = settings.photons.as_ref().map(|_| Targets::default());
     let mut items = GroupBuilder::with_capacity(objects.len());
     builder.place_roots(objects, split, &mut items);
     if !builder.errors.is_empty() {
         return Err(builder.errors);
     }
-    let Builder { mut geometry, textures, interiors, labeler, mut watched, ledger, .. } = builder;
+    let Builder { mut geometry, textures, interiors, labeler, mut watched, ledger, targets, .. } = builder;
     watched.sort_by_key(|w| w.span);
     geometry.root = Group::new(items);
-    Ok(CompiledGeometry { geometry, textures, interiors, labels: labeler.finish(), watched, ledger, ..out })
+    let targets = targets.map(|targets| targets.finish(&out.light_groups)).unwrap_or_default();
+    Ok(CompiledGeometry { geometry, textures, interiors, targets, labels: labeler.finish(), watched, ledger, ..out })
 }

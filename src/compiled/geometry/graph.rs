@@ -10,7 +10,8 @@ use super::parts::Parts;
 use super::record::RayKind;
 use super::shape::{Plane, Primitive as _, Shape, Sphere};
 use crate::compiled::handle::{
-    AppearanceId, GroupId, InstanceId, InteriorId, LightGroupId, NodeId, ObjectId, PlacementId, PrimitiveId, TextureId,
+    AppearanceId, GroupId, InstanceId, InteriorId, LightGroupId, NodeId, ObjectId, PhotonRoleId, PlacementId,
+    PrimitiveId, TextureId,
 };
 use crate::math::{Bounds, Transform};
 use rayon::prelude::*;
@@ -41,6 +42,8 @@ impl RayMask {
             RayKind::Reflected => Self::REFLECTION,
             RayKind::Shadow => Self::SHADOW,
             RayKind::Radiosity => Self::RADIOSITY,
+            RayKind::Photon => Self::IMAGE | Self::SHADOW,
+            RayKind::MirroredPhoton => Self::SHADOW,
             RayKind::Probe => 0,
         })
     }
@@ -314,4 +317,6 @@ pub(crate) struct Appearance {
     pub(crate) light_group: Option<LightGroupId>,
     /// How many of radiosity's sample rays see it.
     pub(crate) importance: Option<f32>,
+    /// What photons may do here, where some are shot.
+    pub(crate) photons: Option<PhotonRoleId>,
 }

@@ -23,7 +23,7 @@ mod span;
 mod surface;
 mod walk;
 
-pub use super::handle::{InteriorId, LightGroupId, ObjectId, StatementId, TextureId};
+pub use super::handle::{InteriorId, LightGroupId, ObjectId, PhotonRoleId, StatementId, TextureId};
 pub use inside::Touching;
 pub use record::{Hit, InteriorKey, MAX_INSTANCE_DEPTH, RayKind, Surface, TextureRef};
 pub use solid::Scratch;
@@ -43,6 +43,7 @@ pub(crate) use shape::{
 };
 
 use super::handle::Table;
+use super::photons::PhotonRole;
 use crate::math::{Bounds, DVec3, Range, Ray};
 use record::{LEAVE_FACTOR, Path};
 use smallvec::SmallVec;
@@ -64,6 +65,8 @@ pub struct Geometry {
     pub(crate) placements: Table<PlacementId, Placement>,
     /// Of each interior, whether fog and media outside also fill its object.
     pub(crate) hollow: Table<InteriorId, bool>,
+    /// What objects say about photons, where some are shot.
+    pub(crate) photon_roles: Table<PhotonRoleId, PhotonRole>,
 }
 
 /// What is in the way of light.

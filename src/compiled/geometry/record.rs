@@ -1,6 +1,8 @@
 //! What a ray asks for and what it gets back.
 
-use crate::compiled::handle::{InstanceId, InteriorId, LightGroupId, ObjectId, PlacementId, PrimitiveId, TextureId};
+use crate::compiled::handle::{
+    InstanceId, InteriorId, LightGroupId, ObjectId, PhotonRoleId, PlacementId, PrimitiveId, TextureId,
+};
 use crate::math::{DVec3, Range, Ray, Uv};
 use smallvec::SmallVec;
 
@@ -17,8 +19,35 @@ pub enum RayKind {
     Shadow,
     /// Gathers light for radiosity, bent and mirrored ways included: passes `no_radiosity` objects by.
     Radiosity,
+    /// From a light, as a photon: passes `no_shadow` and `no_image` objects by.
+    Photon,
+    /// A photon with a reflection on its way: passes `no_shadow` objects by.
+    MirroredPhoton,
     /// Sent by the scene itself (`trace`) while it is read: meets everything.
     Probe,
+}
+
+impl RayKind {
+    /// What becomes of it behind a surface.
+    #[must_use]
+    pub fn transmitted(self) -> Self {
+        if self == Self::Camera { Self::Refracted } else { self }
+    }
+
+    /// What becomes of it in a mirror.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::Radiosity => Self::Radiosity,
+            Self::Photon | Self::MirroredPhoton => Self::MirroredPhoton,
+            _ => Self::Reflected,
+        }
+    }
+
+    /// Whether it carries light instead of looking for it.
+    pub fn is_photon(self) -> bool {
+        matches!(self, Self::Photon | Self::MirroredPhoton)
+    }
 }
 
 /// Identity of an interior: which one, and in which copy of the object that owns it.
@@ -128,6 +157,8 @@ pub struct Surface {
     pub light_group: Option<LightGroupId>,
     /// Share of radiosity's sample rays that see the object, where it says so.
     pub importance: Option<f32>,
+    /// What photons may do here, where some are shot.
+    pub photons: Option<PhotonRoleId>,
 }
 
 /// How far a new ray starts from the surface, in units of `point_error`: one for the error of

@@ -7,6 +7,7 @@ use super::shape::{LocalSurface, Primitive as _, Shape};
 use crate::compiled::handle::{
     AppearanceId, GroupId, Handle as _, InstanceId, NodeId, ObjectId, PlacementId, PrimitiveId, Table, TextureId,
 };
+use crate::compiled::photons::PhotonRole;
 use crate::math::{DVec2, DVec3, Ray, Transform, Uv, transformed_point_error};
 use crate::stack::roomy;
 use rustc_hash::FxHashMap;
@@ -46,6 +47,7 @@ fn inherit(appearance: &mut Appearance, depths: &mut Depths, outer: &Appearance,
     appearance.object = outer.object;
     appearance.light_group = outer.light_group.or(appearance.light_group);
     appearance.importance = appearance.importance.or(outer.importance);
+    appearance.photons = appearance.photons.or(outer.photons);
 }
 
 impl Inherited<'_> {
@@ -64,6 +66,11 @@ impl Geometry {
     pub(super) fn interior_of(&self, appearance: AppearanceId, path: &Path) -> Option<(ObjectId, InteriorKey)> {
         let inherited = self.appearance_of(appearance, path);
         inherited.appearance.interior.map(|_| (inherited.appearance.object, inherited.interior_key(path)))
+    }
+
+    /// What a surface says about photons.
+    pub fn photon_role(&self, surface: &Surface) -> PhotonRole {
+        surface.photons.map_or_else(PhotonRole::default, |id| self.photon_roles[id])
     }
 
     /// Whether fog and media outside also fill an interior's object.
@@ -205,6 +212,7 @@ impl Geometry {
             object: appearance.object,
             light_group: appearance.light_group,
             importance: appearance.importance,
+            photons: appearance.photons,
         }
     }
 

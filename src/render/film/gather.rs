@@ -19,6 +19,8 @@ pub(in crate::render) enum Term {
     Direct,
     /// Light from other surfaces and the sky, gathered by radiosity.
     Indirect,
+    /// Light that photons have brought by way of glass and mirrors.
+    Caustics,
     /// Light that comes from below the surface.
     Subsurface,
     /// Mirrored light, total reflection included.

@@ -32,6 +32,7 @@ impl ImageLayer {
             Self::Emission => term(Term::Emission),
             Self::Direct => term(Term::Direct),
             Self::Indirect => term(Term::Indirect),
+            Self::Caustics => term(Term::Caustics),
             Self::Subsurface => term(Term::Subsurface),
             Self::Reflection => term(Term::Reflection),
             Self::Refraction => term(Term::Refraction),

@@ -14,7 +14,7 @@ use crate::render::worker::Worker;
 use smallvec::SmallVec;
 
 /// POV-Ray's cosine below which a surface is turned away from a light.
-const TURNED_AWAY: f64 = 1e-10;
+pub(super) const TURNED_AWAY: f64 = 1e-10;
 
 /// Light that arrives at one vertex, worked out once for all layers: what each of the lights that shine there gives,
 /// in their order, as far as a layer has asked.
@@ -42,17 +42,17 @@ struct Entry {
 }
 
 /// Light that falls on a layer from one direction.
-struct Beam {
+pub(super) struct Beam {
     /// Unit direction to the light.
-    direction: DVec3,
+    pub(super) direction: DVec3,
     /// Cosine between normal and light, not negative.
-    cosine: f64,
+    pub(super) cosine: f64,
     /// It falls on the far side.
-    back: bool,
+    pub(super) back: bool,
     /// The light gives highlights.
-    highlights: bool,
+    pub(super) highlights: bool,
     /// Number of the light.
-    light: usize,
+    pub(super) light: usize,
 }
 
 /// Diffuse light and highlights from all lights that shine on a layer.
@@ -96,7 +96,7 @@ pub(in crate::render) fn direct_light(
 }
 
 /// What a thin film makes of light from a direction; 1 without one.
-fn film(wavelength: Rgb, vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, direction: DVec3) -> Rgb {
+pub(super) fn film(wavelength: Rgb, vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, direction: DVec3) -> Rgb {
     if layer.finish.irid_amount == 0.0 {
         return Rgb::ONE;
     }
@@ -104,7 +104,7 @@ fn film(wavelength: Rgb, vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, directio
 }
 
 /// What a layer makes of white light from one direction.
-fn answer(vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, beam: &Beam) -> Rgb {
+pub(super) fn answer(vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, beam: &Beam) -> Rgb {
     let finish = layer.finish;
     let mut answer = Rgb::ZERO;
     let amount = if beam.back { layer.diffuse_back } else { layer.diffuse };

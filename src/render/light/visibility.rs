@@ -136,6 +136,9 @@ fn color_after<P: Place>(worker: &mut Worker<'_>, place: &P, way: Way, mut color
         if surface.textures.iter().all(|t| world.opaque[t.texture]) {
             return Rgb::ZERO;
         }
+        if is_brought_by_photons(worker, place, &surface, &world.lights[way.light]) {
+            return Rgb::ZERO;
+        }
         let interiors = interiors.get_or_insert_with(|| place.interiors().clone());
         if let Some(length) = &mut fogged {
             color *= fog(&ray, Some(hit.t), interiors) * atmosphere(&ray, Some(hit.t), n_pieces);
@@ -163,6 +166,16 @@ fn color_after<P: Place>(worker: &mut Worker<'_>, place: &P, way: Way, mut color
     }
 }
 
+/// Whether light through a surface comes with photons, where they stay, and not straight from its source.
+fn is_brought_by_photons(worker: &Worker<'_>, place: &impl Place, surface: &Surface, light: &Light) -> bool {
+    let world = worker.world();
+    if worker.prepared.photons.as_ref().is_none_or(|caught| caught.map.len() == 0) {
+        return false;
+    }
+    let role = world.geometry.photon_role(surface);
+    role.target.is_some() && role.refracts(&light.photons) && place.collects_photons(world)
+}
+
 /// Piece number `n` of a way to a light.
 fn passage<'a>(world: &'a World, place: &impl Place, (ray, length): (&'a Ray, f64), n: u32) -> Passage<'a> {
     let random = place.random().toward(ray.direction).branch(Branch::Medium(n));
@@ -170,7 +183,7 @@ fn passage<'a>(world: &'a World, place: &impl Place, (ray, length): (&'a Ray, f6
 }
 
 /// What all textures of a surface let through.
-fn surface_transmittance(worker: &Worker<'_>, surface: &Surface, hit: &Hit, ray: &Ray) -> Rgb {
+pub(in crate::render) fn surface_transmittance(worker: &Worker<'_>, surface: &Surface, hit: &Hit, ray: &Ray) -> Rgb {
     let world = worker.world();
     let mut context = context(surface, ray.direction, facing(surface, ray.direction));
     let mut lookup = Lookup { context: &mut context, lane: None };

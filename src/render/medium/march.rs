@@ -467,6 +467,7 @@ mod tests {
             densities: ramp.then_some(Density { pigment, side_by_side: false }).into_iter().collect(),
             has_density: ramp,
             ends_plain: !ramp,
+            collects_photons: true,
         }
     }
 

@@ -141,6 +141,11 @@ impl Interiors {
             .fold(first, |whole, other| Crossing { ahead: self.cross(inside_of(world, other)).ahead, ..whole })
     }
 
+    /// Whether an object is among them.
+    pub(super) fn hold(&self, object: &Inside) -> bool {
+        self.position(object).is_some()
+    }
+
     /// Index of the far side of an object's surface over that of the near side, for Fresnel's equations.
     ///
     /// Where the ray leaves an object that lies in another, this is the ratio that refraction uses; POV-Ray takes 1

@@ -9,12 +9,14 @@
 
 mod directions;
 mod gathering;
+mod known_light;
 mod pretrace_pass;
 mod record;
 mod records;
 
 pub(super) use directions::about;
 pub(super) use gathering::{Gathering, Phase};
+pub use known_light::KnownLight;
 pub(super) use pretrace_pass::{PretracePass, passes};
 pub(super) use record::{Blend, Question, Record};
 
@@ -31,8 +33,23 @@ pub(super) struct Shared<'w> {
 }
 
 impl<'w> Shared<'w> {
-    /// Before anything was gathered.
-    pub(super) fn new(settings: &'w Radiosity) -> Self {
-        Self { settings, directions: Directions::new(settings.directions), records: Records::default() }
+    /// Before anything was gathered but what is known already.
+    pub(super) fn new(settings: &'w Radiosity, known: Option<&KnownLight>) -> Self {
+        let mut records = Records::default();
+        for (depth, record) in known.into_iter().flat_map(KnownLight::records) {
+            records.add(*depth, *record, settings.reach(*depth, record.mean_distance));
+        }
+        Self { settings, directions: Directions::new(settings.directions), records }
+    }
+
+    /// All that was found beside what was known, and that as it came.
+    pub(super) fn known_light(&self, before: Option<&KnownLight>) -> KnownLight {
+        let mut all = before.cloned().unwrap_or_default();
+        for (depth, records) in (0..).zip(self.records.by_depth()) {
+            // What was known was filed first.
+            let n_known = before.map_or(0, |known| known.records().iter().filter(|(at, _)| *at == depth).count());
+            records[n_known..].iter().for_each(|record| all.add(depth, *record));
+        }
+        all
     }
 }

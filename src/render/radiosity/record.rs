@@ -14,7 +14,7 @@ const IN_FRONT: [f64; 2] = [0.0, -0.05];
 const LEAST_WEIGHT: f64 = 0.001;
 
 /// The light that falls on a place from everywhere.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::render) struct Record {
     /// World space.
     pub(in crate::render) point: DVec3,

@@ -64,6 +64,11 @@ impl Records {
         }
     }
 
+    /// Those of each depth in the order in which they were filed.
+    pub(in crate::render) fn by_depth(&self) -> impl Iterator<Item = &[Record]> {
+        self.depths.iter().map(|depth| &depth.records[..])
+    }
+
     /// Forgets everything; room is kept.
     pub(in crate::render) fn clear(&mut self) {
         for depth in &mut self.depths {

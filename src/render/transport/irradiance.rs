@@ -159,8 +159,7 @@ impl Asking<'_> {
         let reuse = settings.reuse.map(|share| share * settings.coarseness(depth) * distance);
         let record = sample.record(self, n, reuse);
         if f64::from(record.nearest) > LEAST_ROOM * reuse[1] && !stands_alone {
-            let reach = f64::from(record.mean_distance) * settings.error_bound * settings.coarseness(depth);
-            worker.gathering.keep(depth, record, reach);
+            worker.gathering.keep(depth, record, settings.reach(depth, record.mean_distance));
         }
         if stands_alone {
             worker.gathering.records.clear();

@@ -6,12 +6,14 @@
 mod air;
 mod dispersion;
 mod irradiance;
+mod photon;
 mod secondary;
 mod surface;
 mod told;
 mod translucence;
 
 pub(super) use air::escaped;
+pub(super) use photon::{Arrived, Flight};
 pub(super) use told::{Story, told};
 
 use super::environment;

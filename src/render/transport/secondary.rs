@@ -4,7 +4,6 @@
 
 use super::dispersion;
 use crate::compiled::World;
-use crate::compiled::geometry::RayKind;
 use crate::compiled::texture::Finish;
 use crate::math::{DVec3, Rgb, gray};
 use crate::render::film::Term;
@@ -106,7 +105,7 @@ impl Refraction {
         let beyond = |direction: DVec3, wavelength: Option<f64>| {
             let level = vertex.path.level + u32::from(self.bend != Bend::Straight);
             let (ray, range) = vertex.leave(direction);
-            let kind = kind_beyond(vertex.path.kind);
+            let kind = vertex.path.kind.transmitted();
             let (bounce, below) = (vertex.path.bounce, vertex.path.below);
             Path {
                 ray,
@@ -166,14 +165,6 @@ impl Refraction {
     }
 }
 
-/// Of a ray that goes on through a surface.
-pub(super) fn kind_beyond(kind: RayKind) -> RayKind {
-    match kind {
-        kind @ (RayKind::Reflected | RayKind::Radiosity) => kind,
-        _ => RayKind::Refracted,
-    }
-}
-
 /// The mirrored ray about a normal; it stays in the objects in which it came.
 #[inline(always)]
 pub(super) fn mirrored(vertex: &Vertex<'_>, normal: DVec3, weight: f32, random: Random) -> Path {
@@ -183,7 +174,7 @@ pub(super) fn mirrored(vertex: &Vertex<'_>, normal: DVec3, weight: f32, random: 
         range,
         bounce: vertex.path.bounce,
         below: vertex.path.below,
-        kind: if vertex.path.bounce > 0 { RayKind::Radiosity } else { RayKind::Reflected },
+        kind: vertex.path.kind.mirrored(),
         level: vertex.path.level + 1,
         weight,
         interiors: vertex.interiors().clone(),

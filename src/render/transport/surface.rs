@@ -7,7 +7,7 @@ use super::secondary::Boundary;
 use super::translucence::from_below;
 use crate::math::{Color, DVec3, Rgb, gray};
 use crate::render::film::{Gather, Term};
-use crate::render::light::{ArrivingLight, direct_light};
+use crate::render::light::{ArrivingLight, Caustics, direct_light};
 use crate::render::medium::inside_of;
 use crate::render::radiance::Radiance;
 use crate::render::random::{Branch, Random};
@@ -82,6 +82,7 @@ pub(super) fn shade<'t, G: Gather>(
     let mut albedo = Rgb::ZERO;
     let mut top_normal = vertex.facing;
     let mut indirect = Indirect::default();
+    let mut caustics = Caustics::default();
     // Once light from everywhere went below a layer, those under it get none, as in POV-Ray.
     let mut below_asks = false;
     let wants_lights = worker.wants_lights(vertex.path);
@@ -121,12 +122,19 @@ pub(super) fn shade<'t, G: Gather>(
         let direct =
             if finish.uses_lights && wants_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
         shaded.found.add_own(filter, emission, direct);
+        if finish.uses_lights
+            && wants_lights
+            && let Some(caught) = &worker.prepared.photons
+        {
+            let light = caustics.reflected(worker, caught, vertex, &lit);
+            shaded.found.add(Term::Caustics, Radiance::opaque(filter * light));
+        }
         if let Some((settings, translucency)) = worker.subsurface(vertex.path).zip(translucency) {
             let light = from_below(worker, vertex, &lit, (settings, translucency));
             shaded.found.add(Term::Subsurface, Radiance::opaque(filter * light));
             below_asks |= settings.radiosity;
         }
-        if worker.prepared.radiosity.is_some() && !below_asks {
+        if worker.prepared.radiosity.is_some() && !below_asks && !vertex.path.kind.is_photon() {
             let light = indirect.reflected(worker, vertex, &lit, filter);
             shaded.found.add(Term::Indirect, Radiance::opaque(filter * light));
         }

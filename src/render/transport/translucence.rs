@@ -2,7 +2,7 @@
 //!
 //! Source: Jensen et al. 2001, sections 2.1 to 2.3 and 4; subsurface facts, sections 2 to 6 (measured).
 
-use super::secondary::{kind_beyond, refracted};
+use super::secondary::refracted;
 use super::{followed, irradiance};
 use crate::compiled::geometry::{Hit, InteriorId, Surface};
 use crate::compiled::subsurface::Subsurface;
@@ -233,7 +233,7 @@ impl Below<'_> {
         let Some(direction) = refracted(view.ray.direction, exit.normal, self.ior) else { return DVec3::ZERO };
         let came = self.vertex.path;
         let path = Path {
-            kind: kind_beyond(came.kind),
+            kind: came.kind.transmitted(),
             below: came.below + 1,
             level: came.level + 1,
             weight: came.weight * most,
