@@ -11,7 +11,7 @@ mod segment;
 mod settling;
 
 pub(super) use atmosphere::{Airlight, airlight, fog, fog_transmittance, rainbow};
-pub(super) use march::Incoming;
+pub(super) use march::{Carried, Incoming};
 pub(super) use passage::Passage;
 pub(super) use settling::Settling;
 
