@@ -2,7 +2,7 @@
 //!
 //! Source: Jensen et al. 2001, sections 2.1 to 2.3; subsurface facts, section 3 (measured).
 
-use crate::compiled::subsurface::ReducedAlbedo;
+use crate::compiled::subsurface::{ReducedAlbedo, internal_reflection};
 use crate::math::{DVec3, Rgb, gray};
 use std::f64::consts::PI;
 
@@ -27,8 +27,8 @@ pub(in crate::render) struct Material {
 
 impl Material {
     /// Of a surface with a diffuse colour, in which light goes a `translucency` in mm from one event of scattering to the
-    /// next.
-    pub(in crate::render) fn new(table: &ReducedAlbedo, color: Rgb, translucency: Rgb) -> Self {
+    /// next; `ior` is relative to what is around, and says how much the surface mirrors back.
+    pub(in crate::render) fn new(table: &ReducedAlbedo, color: Rgb, translucency: Rgb, ior: f64) -> Self {
         let albedo = DVec3::from_array(table.of(color));
         let path = translucency.as_dvec3();
         let lets_through = albedo.cmpgt(DVec3::ZERO) & path.cmpgt(DVec3::ZERO);
@@ -41,7 +41,7 @@ impl Material {
             scattering,
             extinction,
             effective: (3.0 * (extinction - scattering) * extinction).max(DVec3::ZERO).map(f64::sqrt),
-            dipole: [real, real * (1.0 + 4.0 / 3.0 * table.internal_reflection())],
+            dipole: [real, real * (1.0 + 4.0 / 3.0 * internal_reflection(ior))],
             mean_free_path: if lets_through.all() { f64::from(gray(extinction.as_vec3())).recip() } else { 0.0 },
         }
     }
@@ -68,7 +68,7 @@ mod tests {
     use super::*;
 
     fn material(color: Rgb, translucency: Rgb) -> Material {
-        Material::new(&ReducedAlbedo::new(1.3), color, translucency)
+        Material::new(&ReducedAlbedo::new(1.3), color, translucency, 1.3)
     }
 
     #[test]
