@@ -110,6 +110,20 @@ fn shapes_and_materials_shine_as_povrays() {
         ),
         [0.171649, 0.103593, 0.055695],
     );
+    check(
+        "under water",
+        "subsurface{samples 30000,30000}",
+        &format!(
+            "{CZ} {LIGHT} sphere{{0,20 hollow pigment{{rgbt 1}} finish{{ambient 0 diffuse 0}} interior{{ior 1.9}}}} sphere{{0,1 pigment{{rgb <1,.5,.25>}} finish{{ambient 0 diffuse .8 subsurface{{translucency .5}}}} interior{{ior 2.5}}}}"
+        ),
+        [0.199634, 0.11313, 0.060319],
+    );
+    check(
+        "seen from within",
+        "subsurface{samples 30000,30000}",
+        "camera{location 0 look_at z right x up y angle 1} light_source{<0,0,9> rgb .25} sphere{0,1 pigment{rgb <1,.5,.25>} finish{ambient 0 diffuse .8 subsurface{translucency .5}} interior{ior 1.3}}",
+        [0.457649, 0.268971, 0.137575],
+    );
 }
 
 #[test]
@@ -285,9 +299,7 @@ fn what_is_behind_shows_straight_through() {
     check(
         "at an angle",
         "subsurface{samples 30000,30000}",
-        &format!(
-            "camera{{location <0,9,-10> look_at -z right x up y angle 1}} box{{<-5,-5,-1>,<5,5,-0.98> pigment{{rgb <1,.5,.25>}} finish{{ambient 0 diffuse .8  subsurface{{translucency .5}}}} interior{{ior 1.3}}}} plane{{-z,-2 pigment{{gradient y scale 4}} finish{{ambient 1 diffuse 0}}}}"
-        ),
+        "camera{location <0,9,-10> look_at -z right x up y angle 1} box{<-5,-5,-1>,<5,5,-0.98> pigment{rgb <1,.5,.25>} finish{ambient 0 diffuse .8  subsurface{translucency .5}} interior{ior 1.3}} plane{-z,-2 pigment{gradient y scale 4} finish{ambient 1 diffuse 0}}",
         [0.155901, 0.14931, 0.133211],
     );
     check(
