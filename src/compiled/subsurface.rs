@@ -92,6 +92,9 @@ fn reflectance(albedo: f64, internal_reflection: f64) -> f64 {
 
 /// The albedo with a reflectance; there is one, since reflectance grows with it from 0 to 1.
 fn inverse(wanted: f64, internal_reflection: f64) -> f64 {
+    if wanted <= 0.0 {
+        return 0.0;
+    }
     let (mut low, mut high) = (0.0, 1.0);
     // Each step gains a bit, and a number between 0 and 1 has no more than its mantissa's.
     for _ in 0..f64::MANTISSA_DIGITS {

@@ -45,9 +45,10 @@ pub(super) fn from_below(
     if vertex.path.below >= MOST_BELOW {
         return Rgb::ZERO;
     }
-    let across = vertex.interiors().relative_ior(&inside_of(world, vertex.surface));
-    // Seen from within it is still the material over what is around it, as in POV-Ray.
-    let ior = if vertex.surface.from_inside { across.recip() } else { across };
+    let object = inside_of(world, vertex.surface);
+    let across = vertex.interiors().relative_ior(&object);
+    // Seen from within it is still the material over what is around it, as in POV-Ray. Smoothed normals do not tell.
+    let ior = if vertex.interiors().are_in(&object) { across.recip() } else { across };
     let cosine = -vertex.view().dot(vertex.facing);
     let below = Below {
         settings,
