@@ -160,6 +160,11 @@ impl Interiors {
         }
     }
 
+    /// Whether an object is among them.
+    pub(super) fn are_in(&self, object: &Inside) -> bool {
+        self.position(object).is_some()
+    }
+
     fn position(&self, object: &Inside) -> Option<usize> {
         self.0.iter().position(|inside| inside.key == object.key)
     }
