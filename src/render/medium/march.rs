@@ -498,7 +498,7 @@ mod tests {
         let ray = Ray::new(DVec3::ZERO, DVec3::Z);
         let segment = Segment { ray: &ray, length: 2.0, media: &[&medium] };
         let settling = Settling::new(&sampling);
-        let found = scattered(segment, &settling, &[], |_, _, _| None, povray_numbers()).radiance;
+        let found = scattered(segment, &settling, &[], |_, _, _| None, None, povray_numbers()).radiance;
         assert!((found - Rgb::from(expected)).abs().max_element() < 1.6e-5, "{found} instead of {expected:?}");
     }
 
