@@ -1,12 +1,15 @@
 //! Settings of photons, as rays need them.
 
 use crate::compiled::light::Light;
-use crate::compiled::photons::{PhotonRole, PhotonTarget, Photons};
+use crate::compiled::photons::{MediaPhotons, PhotonRole, PhotonTarget, Photons};
 use crate::diag::{Diagnostic, SourceResult, Topic};
-use crate::scene::{self, PhotonFlags, Settings};
+use crate::scene::{self, GatherRadius, PhotonFlags, Settings};
 
 /// More photons than this would not fit into memory: each takes 20 bytes where it stays, and it may stay several times.
 const MOST: f64 = 2e8;
+
+/// Photons in media are looked for twice as far as is written, or as their density suggests.
+const MEDIA_RADIUS: f64 = 2.0;
 
 /// So many take minutes.
 const MANY: f64 = 2e7;
@@ -42,13 +45,16 @@ pub(super) fn photons(
     if n > MANY {
         warnings.push(Diagnostic::warning(Topic::Cost, written.span, format!("{}, which takes long", message())));
     }
-    let not_yet = [
-        (written.media_steps > 0, "photons are not left in media"),
-        (written.file.is_some(), "photons are neither saved nor loaded: they are shot"),
-    ];
-    let warn = |(_, why): (bool, &str)| Diagnostic::warning(Topic::Unsupported, written.span, why);
-    warnings.extend(not_yet.into_iter().filter(|(is_asked, _)| *is_asked).map(warn));
+    if written.file.is_some() {
+        let message = "photons are neither saved nor loaded: they are shot";
+        warnings.push(Diagnostic::warning(Topic::Unsupported, written.span, message));
+    }
     Ok(Some(photons))
+}
+
+/// What is written, if it is above 0.
+fn radius(written: &GatherRadius) -> Option<f64> {
+    written.length.filter(|length| *length > 0.0).map(|length| length * written.factor)
 }
 
 fn compiled(written: &scene::Photons, settings: &Settings, targets: Vec<PhotonTarget>) -> Photons {
@@ -61,8 +67,14 @@ fn compiled(written: &scene::Photons, settings: &Settings, targets: Vec<PhotonTa
         autostop: written.autostop,
         expand_increase: written.expand_increase,
         expand_minimum: written.expand_minimum as usize,
-        radius: written.surface_radius.length.map(|radius| radius * written.surface_radius.factor),
+        radius: radius(&written.surface_radius),
         radius_factor: written.surface_radius.factor,
+        media: (written.media_steps > 0).then_some(MediaPhotons {
+            steps: written.media_steps,
+            factor: written.media_factor,
+            radius: radius(&written.media_radius).map(|radius| MEDIA_RADIUS * radius),
+            radius_factor: MEDIA_RADIUS * written.media_radius.factor,
+        }),
         max_trace_level: written.max_trace_level.unwrap_or(settings.max_trace_level),
         adc_bailout: written.adc_bailout.unwrap_or(settings.adc_bailout) as f32,
     }

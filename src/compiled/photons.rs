@@ -92,10 +92,25 @@ pub struct Photons {
     pub radius: Option<f64>,
     /// Factor of what their density suggests.
     pub radius_factor: f64,
+    /// How they are left in media, if they are.
+    pub media: Option<MediaPhotons>,
     /// Surfaces a photon may meet.
     pub max_trace_level: u32,
     /// Weight below which a photon ends.
     pub adc_bailout: f32,
+}
+
+/// How photons are left in media, and gathered there.
+#[derive(Clone, Copy, Debug)]
+pub struct MediaPhotons {
+    /// Most of them on the way from surface to surface, above 0.
+    pub steps: u32,
+    /// Their distance, in distances of photons, above 0.
+    pub factor: f64,
+    /// How far around a point they are gathered, scene units; `None` for what their density suggests.
+    pub radius: Option<f64>,
+    /// Factor of what their density suggests.
+    pub radius_factor: f64,
 }
 
 impl Photons {

@@ -44,22 +44,14 @@ const N_STEPS: usize = 100;
 pub struct ReducedAlbedo {
     /// At evenly spaced colours from 0 to 1.
     values: Vec<f64>,
-    /// The ratio A of diffuse fluxes at the surface, which mirrors a part of what comes from within.
-    internal_reflection: f64,
 }
 
 impl ReducedAlbedo {
     /// Of a material with this index of refraction.
     pub fn new(ior: f64) -> Self {
-        let escaped = diffuse_fresnel(ior);
-        let internal_reflection = (1.0 + escaped) / (1.0 - escaped);
+        let internal_reflection = internal_reflection(ior);
         let step = |k: usize| inverse(k as f64 / N_STEPS as f64, internal_reflection);
-        Self { values: (0..=N_STEPS).map(step).collect(), internal_reflection }
-    }
-
-    /// The constant A of the dipole's virtual source.
-    pub fn internal_reflection(&self) -> f64 {
-        self.internal_reflection
+        Self { values: (0..=N_STEPS).map(step).collect() }
     }
 
     /// Reduced albedo α' for each channel of a colour, linear between the steps; beyond 0 to 1 the value at the end.
@@ -71,6 +63,13 @@ impl ReducedAlbedo {
             self.values[k] + t * (self.values[k + 1] - self.values[k])
         })
     }
+}
+
+/// The ratio A of diffuse fluxes at a surface, which mirrors a part of what comes from within; for an index of refraction
+/// over that of what is around.
+pub fn internal_reflection(ior: f64) -> f64 {
+    let mirrored = diffuse_fresnel(ior);
+    (1.0 + mirrored) / (1.0 - mirrored)
 }
 
 /// Mean Fresnel reflectance of diffuse light.
@@ -93,6 +92,9 @@ fn reflectance(albedo: f64, internal_reflection: f64) -> f64 {
 
 /// The albedo with a reflectance; there is one, since reflectance grows with it from 0 to 1.
 fn inverse(wanted: f64, internal_reflection: f64) -> f64 {
+    if wanted <= 0.0 {
+        return 0.0;
+    }
     let (mut low, mut high) = (0.0, 1.0);
     // Each step gains a bit, and a number between 0 and 1 has no more than its mantissa's.
     for _ in 0..f64::MANTISSA_DIGITS {
@@ -114,7 +116,7 @@ mod tests {
                 let color = k as f64 / N_STEPS as f64;
                 let [albedo, ..] = table.of(Rgb::splat(color as f32));
                 // Colours are single precision, and near 1 the reflectance falls like the square root of 1 - albedo.
-                let found = reflectance(albedo, table.internal_reflection());
+                let found = reflectance(albedo, internal_reflection(ior));
                 assert!((found - color).abs() < 1e-5, "{ior} {color}: {found}");
             }
         }

@@ -8,7 +8,7 @@
 use super::medium::Interiors;
 use super::observer::{Observer, Stage};
 use super::path::Path;
-use super::photons::{Caught, Photon, PhotonMap, Rings, Shot};
+use super::photons::{Caught, PhotonMap, Rings, Shot, Spread};
 use super::prepare::Prepared;
 use super::random::Random;
 use super::statistics::Statistics;
@@ -64,15 +64,21 @@ pub(super) fn shoot(prepared: &mut Prepared<'_>, observer: &dyn Observer) -> Sta
         None => settings.spacing,
     };
     let mut numbers = Numbers::new();
-    let mut photons = Vec::new();
+    let (mut photons, mut in_media) = (Vec::new(), Vec::new());
     let pairs: Vec<_> =
         shining().flat_map(|light| settings.targets_of(light).map(move |target| (light, target))).collect();
     for (done, (light, target)) in pairs.iter().enumerate() {
         observer.advanced(done, pairs.len());
         let gun = Gun::new(light, *target, spacing, settings);
-        photons.extend(gun.shoot(prepared, observer, &mut numbers));
+        let arrived = gun.shoot(prepared, observer, &mut numbers);
+        photons.extend(arrived.photons);
+        in_media.extend(arrived.in_media);
     }
-    prepared.photons = Some(Caught { settings, map: PhotonMap::new(photons).with_radius(settings) });
+    let most = settings.gather[1];
+    let map = PhotonMap::new(photons).with_radius(Spread::Flat, most, settings.radius, settings.radius_factor);
+    let (given, factor) = settings.media.map_or((None, 1.0), |media| (media.radius, media.radius_factor));
+    let in_media = PhotonMap::new(in_media).with_radius(Spread::Solid, most, given, factor);
+    prepared.photons = Some(Caught { settings, map, in_media });
     Statistics::default()
 }
 
@@ -97,17 +103,17 @@ impl<'w> Gun<'w> {
             None => vec![Rings::new(light, light.location, target, spacing)],
             Some(area) => places(light, &area).map(|at| Rings::new(light, at, target, spacing)).collect(),
         };
-        let area = rings.first().map_or(0.0, |rings| rings.spacing * rings.spacing);
-        let flight = Flight { light, target: id, settings, area };
+        let spacing = rings.first().map_or(0.0, |rings| rings.spacing);
+        let flight = Flight { light, target: id, settings, spacing };
         Self { flight, rings, color: light.color / n as f32, settings }
     }
 
     /// All photons that stay.
-    fn shoot(&self, prepared: &Prepared<'_>, observer: &dyn Observer, numbers: &mut Numbers) -> Vec<Photon> {
-        let Some(rings) = self.rings.first() else { return Vec::new() };
+    fn shoot(&self, prepared: &Prepared<'_>, observer: &dyn Observer, numbers: &mut Numbers) -> Arrived {
+        let mut stay = Arrived::default();
+        let Some(rings) = self.rings.first() else { return stay };
         let interiors: Vec<Interiors> =
             self.rings.iter().map(|rings| Interiors::at(prepared.world, rings.ray(MIDDLE).origin)).collect();
-        let mut stay = Vec::new();
         let mut has_met = false;
         // Up to here no empty ring ends anything: all its photons go at once.
         let sure = self.settings.autostop * rings.end;
@@ -125,7 +131,10 @@ impl<'w> Gun<'w> {
                 .map_init(|| Worker::new(prepared), |worker, shots| self.follow(worker, shots, &interiors))
                 .collect();
             let meets = arrived.iter().any(|arrived| arrived.met_target);
-            stay.extend(arrived.into_iter().flat_map(|arrived| arrived.photons));
+            for arrived in arrived {
+                stay.photons.extend(arrived.photons);
+                stay.in_media.extend(arrived.in_media);
+            }
             if has_met && !meets && thetas(first) > sure {
                 break;
             }

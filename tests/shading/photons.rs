@@ -163,3 +163,20 @@ fn small_and_large_scenes_are_alike() {
     // How flat the ball of the search is depends on the unit, as in POV-Ray; on a flat floor nothing else does.
     assert!(one.pixels.iter().zip(&large.pixels).all(|(a, b)| near(a[0], b[0]) && near(a[2], b[2])));
 }
+
+#[test]
+fn photons_stay_in_media() {
+    let seen = "camera{orthographic location <0,1,-5> direction z right x up y}";
+    let air = "box{<-1.5,-1,-1>,<1.5,3,1> hollow pigment{rgbt 1} finish{ambient 0 diffuse 0}
+        interior{media{scattering{1,.1 extinction 0}}} photons{refraction on}}";
+    let of = |media: &str, light: &str, expected: f32| {
+        let settings = format!("global_settings {{ photons {{ spacing .05 media {media} }} }}");
+        let text = format!("{settings} {seen} {light} {air} {} plane{{-z,-9 pigment{{rgb 0}}}}", slab(CLEAR, REFRACTS));
+        let found = picture(&text, &options());
+        let mean = found.pixels.iter().map(|pixel| pixel[0]).sum::<f32>() / found.pixels.len() as f32;
+        assert!((mean / expected - 1.0).abs() < 0.05, "{media} {light}: {mean} instead of {expected}");
+    };
+    of("100", PARALLEL, 0.0986);
+    of("100, 2", PARALLEL, 0.0979);
+    of("100", POINT, 0.1239);
+}

@@ -32,7 +32,7 @@ impl Caustics {
             return Rgb::ZERO;
         }
         let look = || caught.map.gather(caught.settings, (vertex.point(), layer.normal), &mut worker.nearby);
-        let Some(Gathered { photons, area }) = self.found.get_or_insert_with(look) else { return Rgb::ZERO };
+        let Some(Gathered { photons, extent }) = self.found.get_or_insert_with(look) else { return Rgb::ZERO };
         let wavelength = worker.world().settings.irid_wavelength;
         let mut sum = Rgb::ZERO;
         for &(direction, flux) in &*photons {
@@ -41,7 +41,7 @@ impl Caustics {
                 sum += answer(vertex, layer, &beam) * film(wavelength, vertex, layer, direction) * flux / spread;
             }
         }
-        sum / *area as f32
+        sum / *extent as f32
     }
 }
 

@@ -25,6 +25,9 @@ pub(in crate::render) struct Incoming {
     pub(in crate::render) direction: DVec3,
 }
 
+/// Hands over, one by one, what photons have brought to the surroundings of a point, per unit of volume.
+pub(in crate::render) type Carried<'c> = dyn FnMut(DVec3, &mut dyn FnMut(Incoming)) + 'c;
+
 /// What media do along a segment under lights.
 ///
 /// `settling` belongs to the first of the media with the most intervals. `incoming` gives the light of a source, by its
@@ -34,9 +37,11 @@ pub(super) fn scattered(
     settling: &Settling,
     lights: &[Lit],
     incoming: impl FnMut(usize, DVec3, u32) -> Option<Incoming>,
+    carried: Option<&mut Carried<'_>>,
     number: impl FnMut() -> f64,
 ) -> Airlight {
     let mut march = March::new(segment, lights, Some(settling), incoming, number);
+    march.carried = carried.map(|carried| carried as &mut Carried<'_>);
     let (mut radiance, mut depth) = (Rgb::ZERO, Rgb::ZERO);
     for_each_part(segment.length, lights, march.master, march.has_density, |part| {
         let found = march.part(&part);
@@ -128,6 +133,8 @@ struct March<'a, L, N> {
     /// Of all points, if they are the same everywhere.
     uniform: Option<Coefficients>,
     incoming: L,
+    /// Light that photons have left.
+    carried: Option<&'a mut Carried<'a>>,
     number: N,
     n_samples: u32,
 }
@@ -156,6 +163,7 @@ where
             settling,
             uniform,
             incoming,
+            carried: None,
             number,
             n_samples: 0,
         }
@@ -339,6 +347,9 @@ where
         if self.settling.is_some() && part.lit && found.scattering != Rgb::ZERO {
             light += found.scattering * self.incoming(distance, point);
         }
+        if self.carried.is_some() && found.scattering != Rgb::ZERO {
+            light += found.scattering * self.brought(point);
+        }
         let length = part.length as f32;
         Sample { light: light * length, depth: found.extinction * length }
     }
@@ -369,6 +380,16 @@ where
                 sum += incoming.color * self.phase(incoming.direction.dot(self.segment.ray.direction));
             }
         }
+        sum
+    }
+
+    /// Light that photons have left around a point, as much as media turn into the direction of the ray.
+    fn brought(&mut self, point: DVec3) -> Rgb {
+        let Some(carried) = self.carried.take() else { return Rgb::ZERO };
+        let mut sum = Rgb::ZERO;
+        let direction = self.segment.ray.direction;
+        carried(point, &mut |incoming| sum += incoming.color * self.phase(incoming.direction.dot(direction)));
+        self.carried = Some(carried);
         sum
     }
 
@@ -477,7 +498,7 @@ mod tests {
         let ray = Ray::new(DVec3::ZERO, DVec3::Z);
         let segment = Segment { ray: &ray, length: 2.0, media: &[&medium] };
         let settling = Settling::new(&sampling);
-        let found = scattered(segment, &settling, &[], |_, _, _| None, povray_numbers()).radiance;
+        let found = scattered(segment, &settling, &[], |_, _, _| None, None, povray_numbers()).radiance;
         assert!((found - Rgb::from(expected)).abs().max_element() < 1.6e-5, "{found} instead of {expected:?}");
     }
 

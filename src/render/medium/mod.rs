@@ -11,7 +11,7 @@ mod segment;
 mod settling;
 
 pub(super) use atmosphere::{Airlight, airlight, fog, fog_transmittance, rainbow};
-pub(super) use march::Incoming;
+pub(super) use march::{Carried, Incoming};
 pub(super) use passage::Passage;
 pub(super) use settling::Settling;
 
@@ -158,6 +158,11 @@ impl Interiors {
             Some(0) if self.0.len() == 1 => 1.0 / own,
             Some(_) => last.index.ior / own,
         }
+    }
+
+    /// Whether an object is among them.
+    pub(super) fn are_in(&self, object: &Inside) -> bool {
+        self.position(object).is_some()
     }
 
     fn position(&self, object: &Inside) -> Option<usize> {

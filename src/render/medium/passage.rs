@@ -1,6 +1,6 @@
 //! Media along a segment of a path: from what it is inside of to what reaches its start.
 
-use super::march::{Incoming, Segment, scattered, transmittance};
+use super::march::{Carried, Incoming, Segment, scattered, transmittance};
 use super::segment::Lit;
 use super::settling::Settling;
 use super::{Airlight, Interiors};
@@ -48,13 +48,15 @@ impl Passage<'_> {
     /// What media do to light that passes, and what lights add of the given numbers.
     ///
     /// `incoming` gives the light of a source, by its number, at a point where choices are those of the random numbers
-    /// beside it; `settling` says of each of the world's media when samples are enough.
+    /// beside it, `carried` what photons have brought there; `settling` says of each of the world's media when samples are
+    /// enough.
     pub(in crate::render) fn airlight(
         &self,
         media: impl Iterator<Item = usize> + Clone,
         lights: impl Iterator<Item = usize>,
         settling: &[Settling],
         mut incoming: impl FnMut(usize, DVec3, Random) -> Option<Incoming>,
+        carried: Option<&mut Carried<'_>>,
     ) -> Option<Airlight> {
         let of_each = self.of(media.clone());
         if of_each.iter().all(|medium| medium.is_nothing()) {
@@ -69,7 +71,7 @@ impl Passage<'_> {
         let at_sample = |light: usize, point: DVec3, sample: u32| {
             incoming(light, point, self.random.branch(Branch::Medium(sample)))
         };
-        Some(scattered(self.segment(&of_each), &settling[master], &lit, at_sample, numbers(self.random)))
+        Some(scattered(self.segment(&of_each), &settling[master], &lit, at_sample, carried, numbers(self.random)))
     }
 
     fn of(&self, media: impl Iterator<Item = usize>) -> SmallVec<[&Medium; 4]> {

@@ -5,7 +5,7 @@
 use super::map::{Around, Nearest, PhotonMap};
 use super::photon::Photon;
 use crate::compiled::photons::Photons;
-use crate::math::DVec3;
+use crate::math::{DVec3, Rgb};
 use std::f64::consts::PI;
 
 /// Factor of the radius where photons are few.
@@ -37,24 +37,54 @@ pub(in crate::render) struct Nearby {
 #[derive(Debug)]
 pub(in crate::render) struct Gathered {
     /// Unit direction to where each came from, and its light.
-    pub(in crate::render) photons: Vec<(DVec3, crate::math::Rgb)>,
-    /// Over which it is spread.
-    pub(in crate::render) area: f64,
+    pub(in crate::render) photons: Vec<(DVec3, Rgb)>,
+    /// The area, or the volume, over which it is spread.
+    pub(in crate::render) extent: f64,
+}
+
+/// Whether photons lie on surfaces or in space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::render) enum Spread {
+    /// Their density is one to an area.
+    Flat,
+    /// To a volume.
+    Solid,
+}
+
+impl Spread {
+    /// The area or volume within a squared radius.
+    fn extent(self, squared: f64) -> f64 {
+        match self {
+            Self::Flat => PI * squared,
+            Self::Solid => 4.0 / 3.0 * PI * squared * squared.sqrt(),
+        }
+    }
+
+    /// The radius of that area or volume.
+    fn radius(self, extent: f64) -> f64 {
+        match self {
+            Self::Flat => (extent / PI).sqrt(),
+            Self::Solid => (3.0 * extent / (4.0 * PI)).cbrt(),
+        }
+    }
 }
 
 impl PhotonMap {
-    /// The map with the radius in which photons are looked for.
-    pub(in crate::render) fn with_radius(mut self, settings: &Photons) -> Self {
-        self.radius = match settings.radius {
-            Some(radius) if radius > 0.0 => Some(radius),
-            _ => self.suggested_radius(settings).map(|radius| radius * settings.radius_factor),
-        };
+    /// The map with the radius in which photons are looked for: the one that is given, or what their density suggests,
+    /// times a factor.
+    pub(in crate::render) fn with_radius(
+        mut self,
+        spread: Spread,
+        most: usize,
+        given: Option<f64>,
+        factor: f64,
+    ) -> Self {
+        self.radius = given.or_else(|| self.suggested_radius(spread, most).map(|radius| radius * factor));
         self
     }
 
     /// What the density of photons suggests; nothing where there are no more than light a single point.
-    fn suggested_radius(&self, settings: &Photons) -> Option<f64> {
-        let most = settings.gather[1];
+    fn suggested_radius(&self, spread: Spread, most: usize) -> Option<f64> {
         if self.len() <= most {
             return None;
         }
@@ -65,19 +95,38 @@ impl PhotonMap {
             nearest.begin(most, radius);
             let point = self.photon(place as u32).position();
             self.search(&Around { point, normal: DVec3::ZERO }, nearest);
-            nearest.len() as f64 / (PI * nearest.reach())
+            nearest.len() as f64 / spread.extent(nearest.reach())
         };
         let mut nearest = Nearest::default();
-        let densities: Vec<f64> = places(0).map(|place| density(place, f64::INFINITY, &mut nearest)).collect();
-        let known: Vec<f64> = densities.into_iter().filter(|density| density.is_finite()).collect();
+        let densities = places(0).map(|place| density(place, f64::INFINITY, &mut nearest));
+        let known: Vec<f64> = densities.filter(|density| density.is_finite()).collect();
         let mean = known.iter().sum::<f64>() / known.len() as f64;
-        let radius = (most as f64 / (PI * mean)).sqrt();
+        let radius = spread.radius(most as f64 / mean);
         if !radius.is_finite() {
             return None;
         }
         let is_thin = |density: f64| density > THIN[0] * mean && density < THIN[1] * mean;
         let thin = places(1).filter(|place| is_thin(density(*place, radius, &mut nearest))).count();
         Some(radius * (1.0 + WIDENED * thin as f64 / n as f64))
+    }
+
+    /// The photons around a point in a medium.
+    pub(in crate::render) fn gather_in_space(
+        &self,
+        most: usize,
+        point: DVec3,
+        nearby: &mut Nearby,
+    ) -> Option<Gathered> {
+        let nearest = &mut nearby.nearest;
+        nearest.begin(most, self.radius?);
+        self.search(&Around { point, normal: DVec3::ZERO }, nearest);
+        self.gathered(nearest, Spread::Solid)
+    }
+
+    fn gathered(&self, found: &Nearest, spread: Spread) -> Option<Gathered> {
+        let light = |photon: &Photon| (photon.from(), photon.flux());
+        let photons: Vec<_> = found.indices().map(|index| light(self.photon(index))).collect();
+        (!photons.is_empty()).then_some(Gathered { photons, extent: spread.extent(found.reach()) })
     }
 
     /// The photons that light a point of a surface with that unit normal.
@@ -104,8 +153,6 @@ impl PhotonMap {
                 found = wider;
             }
         }
-        let light = |photon: &Photon| (photon.from(), photon.flux());
-        let photons: Vec<_> = found.indices().map(|index| light(self.photon(index))).collect();
-        (!photons.is_empty()).then_some(Gathered { photons, area: PI * found.reach() })
+        self.gathered(found, Spread::Flat)
     }
 }

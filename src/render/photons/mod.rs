@@ -12,7 +12,7 @@ mod map;
 mod photon;
 mod rings;
 
-pub(super) use gather::{Gathered, Nearby};
+pub(super) use gather::{Gathered, Nearby, Spread};
 pub(super) use map::PhotonMap;
 pub(super) use photon::Photon;
 pub(super) use rings::{Rings, Shot};
@@ -23,5 +23,8 @@ use crate::compiled::photons::Photons;
 #[derive(Debug)]
 pub(super) struct Caught<'w> {
     pub(super) settings: &'w Photons,
+    /// On surfaces.
     pub(super) map: PhotonMap,
+    /// In media.
+    pub(super) in_media: PhotonMap,
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: Jensen et al. 2001, sections 2.1 to 2.3; subsurface facts, section 3 (measured).
 
-use crate::compiled::subsurface::ReducedAlbedo;
+use crate::compiled::subsurface::{ReducedAlbedo, internal_reflection};
 use crate::math::{DVec3, Rgb, gray};
 use std::f64::consts::PI;
 
@@ -21,14 +21,14 @@ pub(in crate::render) struct Material {
     effective: DVec3,
     /// Depths of the real source, and, above the surface, of the virtual one, in mm.
     dipole: [DVec3; 2],
-    /// Mean free path in mm, of all channels together; 0 where one of them lets nothing through.
+    /// Mean free path in mm, of all channels together that let light through; 0 where one has no translucency.
     pub(in crate::render) mean_free_path: f64,
 }
 
 impl Material {
     /// Of a surface with a diffuse colour, in which light goes a `translucency` in mm from one event of scattering to the
-    /// next.
-    pub(in crate::render) fn new(table: &ReducedAlbedo, color: Rgb, translucency: Rgb) -> Self {
+    /// next; `ior` is relative to what is around, and says how much the surface mirrors back.
+    pub(in crate::render) fn new(table: &ReducedAlbedo, color: Rgb, translucency: Rgb, ior: f64) -> Self {
         let albedo = DVec3::from_array(table.of(color));
         let path = translucency.as_dvec3();
         let lets_through = albedo.cmpgt(DVec3::ZERO) & path.cmpgt(DVec3::ZERO);
@@ -41,8 +41,13 @@ impl Material {
             scattering,
             extinction,
             effective: (3.0 * (extinction - scattering) * extinction).max(DVec3::ZERO).map(f64::sqrt),
-            dipole: [real, real * (1.0 + 4.0 / 3.0 * table.internal_reflection())],
-            mean_free_path: if lets_through.all() { f64::from(gray(extinction.as_vec3())).recip() } else { 0.0 },
+            dipole: [real, real * (1.0 + 4.0 / 3.0 * internal_reflection(ior))],
+            mean_free_path: if lets_through.any() && path.cmpgt(DVec3::ZERO).all() {
+                let living = some(DVec3::ONE, DVec3::ZERO);
+                f64::from(gray(living.as_vec3()) / gray((living * extinction).as_vec3()))
+            } else {
+                0.0
+            },
         }
     }
 
@@ -68,7 +73,7 @@ mod tests {
     use super::*;
 
     fn material(color: Rgb, translucency: Rgb) -> Material {
-        Material::new(&ReducedAlbedo::new(1.3), color, translucency)
+        Material::new(&ReducedAlbedo::new(1.3), color, translucency, 1.3)
     }
 
     #[test]
@@ -90,10 +95,10 @@ mod tests {
         let check = |material: Material, black: DVec3| {
             let light = material.diffuse_reflectance(1.0) + material.transmittance(1.0) + material.scattering;
             assert!(light.is_finite() && light.cmpeq(DVec3::ZERO) == black.cmpeq(DVec3::ZERO), "{light}");
-            assert_eq!(material.mean_free_path, 0.0);
+            material.mean_free_path
         };
-        check(material(Rgb::new(0.5, 0.0, 0.5), Rgb::ONE), DVec3::new(1.0, 0.0, 1.0));
-        check(material(Rgb::splat(0.5), Rgb::new(0.0, 1.0, -1.0)), DVec3::Y);
+        assert!(check(material(Rgb::new(0.5, 0.0, 0.5), Rgb::ONE), DVec3::new(1.0, 0.0, 1.0)) > 0.0);
+        assert_eq!(check(material(Rgb::splat(0.5), Rgb::new(0.0, 1.0, -1.0)), DVec3::Y), 0.0);
     }
 
     #[test]

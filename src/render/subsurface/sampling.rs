@@ -162,7 +162,7 @@ mod tests {
     fn depths_have_povrays_mean() {
         let table = ReducedAlbedo::new(1.3);
         for (color, most) in [([0.8, 0.4, 0.2], f64::INFINITY), ([0.8, 0.4, 0.2], 0.3), ([0.8, 0.0, 0.2], 0.01)] {
-            let material = Material::new(&table, Rgb::from(color), Rgb::new(0.5, 0.1, 2.0));
+            let material = Material::new(&table, Rgb::from(color), Rgb::new(0.5, 0.1, 2.0), 1.3);
             let depths = Depths::new(&material, most);
             let n = 999;
             let weights = (0..n).filter_map(|i| depths.depth(i, n, [0.5, 0.1]));

@@ -4,8 +4,9 @@ use crate::compiled::geometry::{LightGroupId, Surface};
 use crate::math::DVec3;
 use crate::render::film::{Gather, Term};
 use crate::render::light::light_through;
-use crate::render::medium::{Airlight, Incoming, Passage, airlight, fog, rainbow};
+use crate::render::medium::{Airlight, Carried, Incoming, Passage, airlight, fog, rainbow};
 use crate::render::path::Path;
+use crate::render::photons::{Caught, Gathered, Nearby};
 use crate::render::radiance::Radiance;
 use crate::render::random::{Branch, Random};
 use crate::render::vertex::MediumPoint;
@@ -102,7 +103,21 @@ fn media_light(
     let passage = Passage { world, ray: &path.ray, length, random: path.random.branch(Branch::Medium(place)) };
     let incoming =
         |light: usize, point: DVec3, random: Random| arriving(worker, light, MediumPoint { point, path, random });
-    passage.airlight(media, world.lights_for(group).iter().copied(), &prepared.settling, incoming)
+    let caught = prepared.photons.as_ref().filter(|caught| place == IN_OBJECTS && caught.in_media.len() > 0);
+    let mut nearby = Nearby::default();
+    let mut gather = caught.map(|caught| {
+        move |point: DVec3, hand_over: &mut dyn FnMut(Incoming)| brought(caught, point, &mut nearby, hand_over)
+    });
+    let carried = gather.as_mut().map(|gather| gather as &mut Carried<'_>);
+    passage.airlight(media, world.lights_for(group).iter().copied(), &prepared.settling, incoming, carried)
+}
+
+/// What photons have left around a point.
+fn brought(caught: &Caught<'_>, point: DVec3, nearby: &mut Nearby, hand_over: &mut dyn FnMut(Incoming)) {
+    let [_, most] = caught.settings.gather;
+    let Some(Gathered { photons, extent }) = caught.in_media.gather_in_space(most, point, nearby) else { return };
+    let density = extent.recip() as f32;
+    photons.into_iter().for_each(|(direction, flux)| hand_over(Incoming { color: density * flux, direction }));
 }
 
 /// The light of a source at a point in a medium.

@@ -17,7 +17,7 @@ use crate::render::medium::{Passage, inside_of};
 use crate::render::path::Path;
 use crate::render::photons::Photon;
 use crate::render::radiance::{Mix, Radiance};
-use crate::render::random::Branch;
+use crate::render::random::{Branch, Dimension};
 use crate::render::shade::{Layers, Lookup, TexturePoint, TextureSpace, context, resolve, texture_space};
 use crate::render::vertex::Vertex;
 use crate::render::worker::Worker;
@@ -27,15 +27,17 @@ pub(in crate::render) struct Flight<'w> {
     pub(in crate::render) light: &'w Light,
     pub(in crate::render) target: TargetId,
     pub(in crate::render) settings: &'w Photons,
-    /// Area of a photon at a distance of one from the light, or at any for parallel light.
-    pub(in crate::render) area: f64,
+    /// Distance of photons at a distance of one from the light, or at any for parallel light.
+    pub(in crate::render) spacing: f64,
 }
 
 /// What became of some photons.
 #[derive(Default)]
 pub(in crate::render) struct Arrived {
-    /// Where they stay.
+    /// Where they stay on surfaces.
     pub(in crate::render) photons: Vec<Photon>,
+    /// Where they stay in media.
+    pub(in crate::render) in_media: Vec<Photon>,
     /// One has met its target.
     pub(in crate::render) met_target: bool,
 }
@@ -81,6 +83,7 @@ impl Flight<'_> {
         let world = worker.world();
         let surface = world.geometry.surface(&leg.path.ray, &hit);
         let role = world.geometry.photon_role(&surface);
+        let length_before = leg.length;
         leg.length += hit.t;
         let meets_target = role.target == Some(self.target);
         if !leg.is_past && !meets_target {
@@ -91,6 +94,9 @@ impl Flight<'_> {
             return;
         }
         arrived.met_target = true;
+        if leg.is_past {
+            self.leave_in_media(worker, &leg, length_before, &mut arrived.in_media);
+        }
         leg.color *= faded(worker, &leg.path, &surface, hit.t) * through_media(worker, &leg.path, hit.t);
         if leg.is_past && role.collects() {
             arrived.photons.extend(self.photon(&leg, &surface));
@@ -102,9 +108,43 @@ impl Flight<'_> {
 
     /// What stays where a leg has ended.
     fn photon(&self, leg: &Leg, surface: &Surface) -> Option<Photon> {
-        let widened = if self.light.parallel { 1.0 } else { leg.length * leg.length };
-        let factor = self.light.distance_fade(leg.length) * self.area * widened;
+        let factor = self.light.distance_fade(leg.length) * self.apart(leg.length).powi(2);
         Photon::new(surface.point, leg.color * factor as f32, -leg.path.ray.direction)
+    }
+
+    /// How far photons are apart after a way from the light.
+    fn apart(&self, length: f64) -> f64 {
+        if self.light.parallel { self.spacing } else { self.spacing * length }
+    }
+
+    /// Leaves photons in the media of the objects along a leg that begins after a way of `before`.
+    fn leave_in_media(&self, worker: &Worker<'_>, leg: &Leg, before: f64, left: &mut Vec<Photon>) {
+        let world = worker.world();
+        let Some(settings) = self.settings.media.filter(|_| world.features.filled_interiors > 0) else { return };
+        let media = leg.path.interiors.media(world);
+        let takes = |number: &usize| {
+            let medium = &world.media[*number];
+            medium.scattering != Rgb::ZERO || medium.extinction != Rgb::ZERO
+        };
+        if !media.iter().any(takes) {
+            return;
+        }
+        let length = leg.length - before;
+        let wanted = length / (self.apart(before) * settings.factor);
+        let n = wanted.min(settings.steps.into()).floor();
+        if n < 1.0 {
+            return;
+        }
+        // Fewer than wanted stand for longer pieces.
+        let factor = settings.factor * if wanted > n + 1.0 { wanted / n } else { 1.0 };
+        let ray = &leg.path.ray;
+        for i in 0..n as u32 {
+            let moved = self.settings.jitter * (leg.path.random.unit(Dimension::Medium(i)) - 0.5);
+            let distance = (f64::from(i) + 0.5 + moved) / n * length;
+            let apart = self.apart(before + distance);
+            let flux = self.light.distance_fade(before + distance) * apart.powi(3) * factor;
+            left.extend(Photon::new(ray.at(distance), leg.color * flux as f32, -ray.direction));
+        }
     }
 
     /// Where the light goes from a surface: all ways, each with its share.

@@ -45,12 +45,15 @@ pub(super) fn from_below(
     if vertex.path.below >= MOST_BELOW {
         return Rgb::ZERO;
     }
-    let ior = vertex.interiors().relative_ior(&inside_of(world, vertex.surface));
+    let object = inside_of(world, vertex.surface);
+    let across = vertex.interiors().relative_ior(&object);
+    // Seen from within it is still the material over what is around it, as in POV-Ray. Smoothed normals do not tell.
+    let ior = if vertex.interiors().are_in(&object) { across.recip() } else { across };
     let cosine = -vertex.view().dot(vertex.facing);
     let below = Below {
         settings,
         vertex,
-        material: Material::new(table, layer.albedo * layer.finish.raw_diffuse, translucency),
+        material: Material::new(table, layer.albedo * layer.finish.raw_diffuse, translucency, ior),
         ior,
         leaving: 1.0 - f64::from(fresnel(cosine, ior)),
         random: layer.random.branch(Branch::Layer(layer.depth)),
