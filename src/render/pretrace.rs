@@ -97,7 +97,10 @@ fn look_over(
     starts: &[u32],
 ) -> Found {
     let (phase, positions) = match pass {
-        Some(pass) => (Phase::Pretrace, pass.positions(block, number)),
+        Some(pass) => {
+            let within = [block.x..block.x + block.width, block.y..block.y + block.height];
+            (Phase::Pretrace, pass.positions(within, number))
+        }
         None => (Phase::Completion, centers(block)),
     };
     worker.gathering.begin(phase, starts.iter().copied());

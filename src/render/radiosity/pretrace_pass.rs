@@ -3,7 +3,8 @@
 //! Source: radiosity facts, section 6 (measured).
 
 use crate::compiled::radiosity::Radiosity;
-use crate::render::film::Block;
+use crate::math::MersenneTwister;
+use std::ops::Range;
 use std::sync::LazyLock;
 
 /// POV-Ray's share by which a whole number of halvings makes one pass less.
@@ -31,18 +32,18 @@ pub(in crate::render) fn passes(radiosity: &Radiosity, width: usize, height: usi
 }
 
 impl PretracePass {
-    /// Image positions of the rays through a block, the number of which counts in the whole picture.
-    pub(in crate::render) fn positions(&self, block: &Block, number: usize) -> Vec<[f64; 2]> {
+    /// Image positions of the rays through a block of pixels, the number of which counts in the whole picture.
+    pub(in crate::render) fn positions(&self, [columns, rows]: [Range<usize>; 2], number: usize) -> Vec<[f64; 2]> {
         let step = self.step;
         let amount = (0.5 * step).min(1.0);
         let mut jitter = Jitter::of(self.number, number);
-        let multiples = |from: usize, n: usize| {
-            let first = (from as f64 / step).ceil() as usize;
-            (first..).map(move |i| i as f64 * step).take_while(move |x| *x < (from + n) as f64)
+        let multiples = |within: &Range<usize>| {
+            let (first, end) = ((within.start as f64 / step).ceil() as usize, within.end as f64);
+            (first..).map(move |i| i as f64 * step).take_while(move |x| *x < end)
         };
         let mut found = Vec::new();
-        for y in multiples(block.y, block.height) {
-            for x in multiples(block.x, block.width) {
+        for y in multiples(&rows) {
+            for x in multiples(&columns) {
                 let middle = 0.5 * (step - 1.0);
                 let dy = amount * jitter.next();
                 let dx = amount * jitter.next();
@@ -73,29 +74,9 @@ impl Jitter {
 const PERIOD: usize = 2047;
 
 /// POV-Ray's numbers: the first of the Mersenne twister.
-///
-/// Source: Matsumoto, Nishimura, "Mersenne Twister", ACM Transactions on Modeling and Computer Simulation 8 (1), 1998;
-/// seed 5489 is that of their program.
 fn numbers() -> Vec<f64> {
-    const N: usize = 624;
-    let mut state = vec![5489u32];
-    for i in 1..N as u32 {
-        let last = state[i as usize - 1];
-        state.push(1_812_433_253_u32.wrapping_mul(last ^ (last >> 30)).wrapping_add(i));
-    }
-    // Each word follows from three before it, for ever.
-    for i in N..N + PERIOD {
-        let mixed = (state[i - N] & 0x8000_0000) | (state[i - N + 1] & 0x7fff_ffff);
-        let twist = if mixed & 1 == 0 { 0 } else { 0x9908_b0df };
-        state.push(state[i - N + 397] ^ (mixed >> 1) ^ twist);
-    }
-    let tempered = |mut y: u32| {
-        y ^= y >> 11;
-        y ^= (y << 7) & 0x9d2c_5680;
-        y ^= (y << 15) & 0xefc6_0000;
-        y ^ (y >> 18)
-    };
-    state[N..].iter().map(|y| 2.0 * f64::from(tempered(*y)) / 4_294_967_296.0 - 1.0).collect()
+    let mut twister = MersenneTwister::default();
+    (0..PERIOD).map(|_| 2.0 * twister.next_f64() - 1.0).collect()
 }
 
 #[cfg(test)]
@@ -111,8 +92,7 @@ mod tests {
     #[test]
     fn passes_cover_each_block_once() {
         let pass = PretracePass { number: 0, step: 4.0 };
-        let block = Block { x: 32, y: 0, width: 32, height: 10 };
-        let found = pass.positions(&block, 1);
+        let found = pass.positions([32..64, 0..10], 1);
         assert_eq!(found.len(), 8 * 3);
         assert!(found.iter().all(|[x, y]| (32.0..66.0).contains(x) && (-0.5..14.0).contains(y)), "{found:?}");
     }
