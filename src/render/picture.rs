@@ -42,8 +42,8 @@ pub struct Rendered {
 /// The result is the same bits for any number of them, and a part's pixels are those of the whole picture.
 pub fn render(world: &World, options: &Options, observer: &dyn Observer) -> Rendered {
     let mut prepared = Prepared::new(world, options);
-    let shot = shoot(&mut prepared, observer);
-    let before = pretrace(&mut prepared, observer).plus(shot);
+    shoot(&mut prepared, observer);
+    let before = pretrace(&mut prepared, observer);
     observer.entered(Stage::Picture);
     let work = Work { prepared: &prepared, observer };
     let with_before = |rendered: Rendered| {

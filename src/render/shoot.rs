@@ -1,7 +1,7 @@
 //! Shoots photons before the picture is made.
 //!
-//! Each light shoots at each of its targets in rings, which end where they miss it. The photons of a ring go on at once; what
-//! they leave is kept in their order, so that no number of threads shows.
+//! Each light shoots at each of its targets in rings, which end where they miss it. The photons of a ring are followed side by
+//! side; what they leave is kept in their order, so that no number of threads shows.
 //!
 //! Source: photon facts, section 3 (measured).
 
@@ -11,7 +11,6 @@ use super::path::Path;
 use super::photons::{Caught, PhotonMap, Rings, Shot, Spread};
 use super::prepare::Prepared;
 use super::random::Random;
-use super::statistics::Statistics;
 use super::transport::{Arrived, Flight};
 use super::worker::Worker;
 use crate::compiled::TargetId;
@@ -29,6 +28,12 @@ const N_NUMBERS: usize = 1 << 15;
 
 /// Photons that one thread follows at a time.
 const TOGETHER: usize = 256;
+
+/// Photons that are on their way together, at most, up to a ring.
+const MOST_TOGETHER: usize = 1 << 16;
+
+/// The middle of all rings.
+const MIDDLE: Shot = Shot { theta: 0.0, phi: 0.0 };
 
 /// The numbers that move photons within their rings: POV-Ray's, in its order.
 struct Numbers {
@@ -52,10 +57,10 @@ impl Numbers {
 }
 
 /// Shoots all photons, if a scene has any.
-pub(super) fn shoot(prepared: &mut Prepared<'_>, observer: &dyn Observer) -> Statistics {
+pub(super) fn shoot(prepared: &mut Prepared<'_>, observer: &dyn Observer) {
     let world = prepared.world;
     let Some(settings) = world.photons.as_ref().filter(|_| prepared.options.indirect_light()) else {
-        return Statistics::default();
+        return;
     };
     observer.entered(Stage::Photons);
     let shining = || world.global_lights.iter().map(|index| &world.lights[*index]);
@@ -79,7 +84,6 @@ pub(super) fn shoot(prepared: &mut Prepared<'_>, observer: &dyn Observer) -> Sta
     let (given, factor) = settings.media.map_or((None, 1.0), |media| (media.radius, media.radius_factor));
     let in_media = PhotonMap::new(in_media).with_radius(Spread::Solid, most, given, factor);
     prepared.photons = Some(Caught { settings, map, in_media });
-    Statistics::default()
 }
 
 /// A light and the target that it shoots at.
@@ -189,12 +193,6 @@ fn beyond(window: &Geometry, ray: Ray, scratch: &mut Scratch) -> Option<(Ray, Ra
     }
     beyond
 }
-
-/// Photons that are on their way together, at most, up to a ring.
-const MOST_TOGETHER: usize = 1 << 16;
-
-/// The middle of all rings.
-const MIDDLE: Shot = Shot { theta: 0.0, phi: 0.0 };
 
 /// Where the samples of an area light stand, without jitter and not bent into a disc.
 fn places(light: &Light, area: &Area) -> impl Iterator<Item = DVec3> + use<> {
