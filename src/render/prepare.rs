@@ -32,6 +32,8 @@ pub(super) struct Prepared<'w> {
     pub(super) radiosity: Option<Shared<'w>>,
     /// How light below surfaces is sampled, where it counts.
     pub(super) subsurface: Option<&'w Subsurface>,
+    /// There is light that does not come straight from its sources: one of these three.
+    pub(super) has_global_light: bool,
     /// Of each medium, when samples are enough.
     pub(super) settling: Vec<Settling>,
     /// Whether there are fog, rainbows or media anywhere, and they count.
@@ -43,6 +45,9 @@ pub(super) struct Prepared<'w> {
 impl<'w> Prepared<'w> {
     pub(super) fn new(world: &'w World, options: &'w Options) -> Self {
         let (camera, features) = (&world.camera, &world.features);
+        let subsurface = world.subsurface.as_ref().filter(|_| features.translucent_textures > 0);
+        let subsurface = subsurface.filter(|_| options.indirect_light());
+        let radiosity = world.radiosity.as_ref().filter(|_| options.indirect_light());
         Self {
             world,
             options,
@@ -53,15 +58,9 @@ impl<'w> Prepared<'w> {
             }),
             camera_near: CAMERA_NEAR * world.geometry.reach(camera.location).unwrap_or(1.0).min(1.0),
             photons: None,
-            radiosity: world
-                .radiosity
-                .as_ref()
-                .filter(|_| options.indirect_light())
-                .map(|r| Shared::new(r, options.known_light.as_deref())),
-            subsurface: world
-                .subsurface
-                .as_ref()
-                .filter(|_| features.translucent_textures > 0 && options.indirect_light()),
+            radiosity: radiosity.map(|radiosity| Shared::new(radiosity, options.known_light.as_deref())),
+            subsurface,
+            has_global_light: radiosity.is_some() || subsurface.is_some(),
             settling: world.media.iter().map(|medium| Settling::new(&medium.sampling)).collect(),
             has_air: options.atmosphere() && features.has_air(),
             side_by_side: one_ray_a_position(world)

@@ -84,6 +84,7 @@ pub(super) fn shoot(prepared: &mut Prepared<'_>, observer: &dyn Observer) {
     let (given, factor) = settings.media.map_or((None, 1.0), |media| (media.radius, media.radius_factor));
     let in_media = PhotonMap::new(in_media).with_radius(Spread::Solid, most, given, factor);
     prepared.photons = Some(Caught { settings, map, in_media });
+    prepared.has_global_light = true;
 }
 
 /// A light and the target that it shoots at.

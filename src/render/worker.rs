@@ -79,7 +79,7 @@ impl<'w> Worker<'w> {
     #[inline]
     pub(super) fn subsurface(&self, path: &Path) -> Option<&'w Subsurface> {
         let seen = || path.bounce == 0 || self.prepared.radiosity.as_ref().is_some_and(|r| r.settings.subsurface);
-        self.prepared.subsurface.filter(|_| seen() && !path.kind.is_photon())
+        self.prepared.subsurface.filter(|_| seen())
     }
 
     /// Whether it matters what lights give at the end of a path: where only places are looked for, it does not.

@@ -5,6 +5,7 @@
 
 mod air;
 mod dispersion;
+mod global_light;
 mod irradiance;
 mod photon;
 mod secondary;

@@ -2,12 +2,11 @@
 //!
 //! Source: sections 2 and 6 of the shading facts (measured).
 
-use super::irradiance::Indirect;
+use super::global_light::GlobalLight;
 use super::secondary::Boundary;
-use super::translucence::from_below;
 use crate::math::{Color, DVec3, Rgb, gray};
 use crate::render::film::{Gather, Term};
-use crate::render::light::{ArrivingLight, Caustics, direct_light};
+use crate::render::light::{ArrivingLight, direct_light};
 use crate::render::medium::inside_of;
 use crate::render::radiance::Radiance;
 use crate::render::random::{Branch, Random};
@@ -81,10 +80,7 @@ pub(super) fn shade<'t, G: Gather>(
     let mut filter = Rgb::ONE;
     let mut albedo = Rgb::ZERO;
     let mut top_normal = vertex.facing;
-    let mut indirect = Indirect::default();
-    let mut caustics = Caustics::default();
-    // Once light from everywhere went below a layer, those under it get none, as in POV-Ray.
-    let mut below_asks = false;
+    let mut global_light = None;
     let wants_lights = worker.wants_lights(vertex.path);
     for (depth, layer) in layers.iter().enumerate() {
         if share(filter) <= bailout {
@@ -122,21 +118,9 @@ pub(super) fn shade<'t, G: Gather>(
         let direct =
             if finish.uses_lights && wants_lights { direct_light(worker, vertex, &lit, arriving) } else { Rgb::ZERO };
         shaded.found.add_own(filter, emission, direct);
-        if finish.uses_lights
-            && wants_lights
-            && let Some(caught) = &worker.prepared.photons
-        {
-            let light = caustics.reflected(worker, caught, vertex, &lit);
-            shaded.found.add(Term::Caustics, Radiance::opaque(filter * light));
-        }
-        if let Some((settings, translucency)) = worker.subsurface(vertex.path).zip(translucency) {
-            let light = from_below(worker, vertex, &lit, (settings, translucency));
-            shaded.found.add(Term::Subsurface, Radiance::opaque(filter * light));
-            below_asks |= settings.radiosity;
-        }
-        if worker.prepared.radiosity.is_some() && !below_asks && !vertex.path.kind.is_photon() {
-            let light = indirect.reflected(worker, vertex, &lit, filter);
-            shaded.found.add(Term::Indirect, Radiance::opaque(filter * light));
+        if worker.prepared.has_global_light {
+            let global_light = global_light.get_or_insert_with(GlobalLight::default);
+            global_light.add(worker, vertex, (&lit, translucency), filter, &mut shaded.found);
         }
         albedo += filter * color.rgb * lit.opacity;
         if let Some(color) = pigment {
