@@ -11,6 +11,9 @@ use std::collections::BinaryHeap;
 /// Parts with fewer photons are sorted by the thread that has split them.
 const SHARED_WORK: usize = 1 << 14;
 
+/// So many photons are looked at one by one: to go on in halves would take longer.
+const FEW: usize = 8;
+
 /// Flattening of the ball in which photons are looked for, along the normal, at its distance of one scene unit.
 ///
 /// Source: photon facts, section 5.
@@ -135,8 +138,20 @@ impl PhotonMap {
         self.search_part(0, self.photons.len(), around, nearest);
     }
 
+    #[inline]
+    fn offer(&self, place: usize, around: &Around, nearest: &mut Nearest) {
+        let offset = self.photons[place].position() - around.point;
+        let squared = offset.length_squared();
+        // The flattened distance is the longer one.
+        if squared < nearest.reach {
+            let flattened = 1.0 + FLATTENING * around.normal.dot(offset).abs();
+            nearest.offer(squared * flattened, place as u32);
+        }
+    }
+
     fn search_part(&self, first: usize, end: usize, around: &Around, nearest: &mut Nearest) {
-        if first >= end {
+        if end - first <= FEW {
+            (first..end).for_each(|place| self.offer(place, around, nearest));
             return;
         }
         let middle = first.midpoint(end - 1);
@@ -146,9 +161,7 @@ impl PhotonMap {
         let (near, far) =
             if beyond < 0.0 { ((first, middle), (middle + 1, end)) } else { ((middle + 1, end), (first, middle)) };
         self.search_part(near.0, near.1, around, nearest);
-        let offset = photon.position() - around.point;
-        let flattened = 1.0 + FLATTENING * around.normal.dot(offset).abs();
-        nearest.offer(offset.length_squared() * flattened, middle as u32);
+        self.offer(middle, around, nearest);
         // The flattened distance is the longer one.
         if beyond * beyond < nearest.reach {
             self.search_part(far.0, far.1, around, nearest);

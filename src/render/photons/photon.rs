@@ -4,6 +4,7 @@
 
 use crate::math::{DVec3, Rgb};
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// Steps of a half turn.
 const STEPS: f64 = 127.0;
@@ -67,11 +68,15 @@ impl Photon {
 
     /// Unit direction to where it came from.
     pub(in crate::render) fn from(&self) -> DVec3 {
-        let [elevation, azimuth] = self.from.map(|step| f64::from(step) * (PI / STEPS));
-        let (y, across) = elevation.sin_cos();
-        let (z, x) = azimuth.sin_cos();
+        static TURNS: LazyLock<[(f64, f64); 256]> = LazyLock::new(turns);
+        let [(y, across), (z, x)] = self.from.map(|step| TURNS[usize::from(step as u8)]);
         DVec3::new(across * x, y, across * z)
     }
+}
+
+/// Sines and cosines of all steps, by their bits.
+fn turns() -> [(f64, f64); 256] {
+    std::array::from_fn(|bits| (f64::from(bits as u8 as i8) * (PI / STEPS)).sin_cos())
 }
 
 /// The power of two that a number is half of, or more, and less than all.
