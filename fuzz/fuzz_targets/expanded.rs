@@ -3,22 +3,13 @@
 
 #![no_main]
 
-use libfuzzer_sys::fuzz_target;
-use whitted::compile::{self, Queries};
-use whitted::eval::{Limits, Memory, Options};
-use whitted::expanded::{self, MARK, Style};
+mod limits;
 
-/// Small enough that the dearest scene within them takes a fraction of a second.
-const LIMITS: Limits = Limits {
-    steps: 1_000,
-    objects: 500,
-    parts: 5_000,
-    array_elements: 5_000,
-    string_bytes: 10_000,
-    include_depth: 6,
-    macro_depth: 60,
-    nesting: 80,
-};
+use libfuzzer_sys::fuzz_target;
+use limits::LIMITS;
+use whitted::compile::{self, Queries};
+use whitted::eval::{Memory, Options};
+use whitted::expanded::{self, MARK, Style};
 
 fuzz_target!(|text: &[u8]| {
     let options = Options { limits: LIMITS, ..Options::default() };

@@ -94,7 +94,6 @@ struct Gun<'w> {
     rings: Vec<Rings>,
     /// Of each of them.
     color: Rgb,
-    settings: &'w Photons,
 }
 
 impl<'w> Gun<'w> {
@@ -110,7 +109,7 @@ impl<'w> Gun<'w> {
         };
         let spacing = rings.first().map_or(0.0, |rings| rings.spacing);
         let flight = Flight { light, target: id, settings, spacing };
-        Self { flight, rings, color: light.color / n as f32, settings }
+        Self { flight, rings, color: light.color / n as f32 }
     }
 
     /// All photons that stay.
@@ -119,16 +118,17 @@ impl<'w> Gun<'w> {
         let Some(rings) = self.rings.first() else { return stay };
         let interiors: Vec<Interiors> =
             self.rings.iter().map(|rings| Interiors::at(prepared.world, rings.ray(MIDDLE).origin)).collect();
+        let settings = self.flight.settings;
         let mut has_met = false;
         // Up to here no empty ring ends anything: all its photons go at once.
-        let sure = self.settings.autostop * rings.end;
+        let sure = settings.autostop * rings.end;
         let thetas = |k: usize| k as f64 * rings.step;
         let mut k = 0;
         while thetas(k) < rings.end && !observer.cancels() {
             let mut shots = Vec::new();
             let first = k;
             while thetas(k) < rings.end && (k == first || thetas(k) <= sure && shots.len() < MOST_TOGETHER) {
-                shots.extend(rings.ring(thetas(k), self.settings.jitter, &mut || numbers.next()));
+                shots.extend(rings.ring(thetas(k), settings.jitter, &mut || numbers.next()));
                 k += 1;
             }
             let arrived: Vec<Arrived> = shots

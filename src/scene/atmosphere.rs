@@ -46,6 +46,23 @@ pub struct Fog {
     pub turb_depth: f64,
 }
 
+impl Fog {
+    /// Fog of which nothing is said.
+    pub fn new(span: Span) -> Self {
+        Self {
+            span,
+            ground: false,
+            distance: 0.0,
+            color: Color::BLACK,
+            offset: 0.0,
+            alt: 0.0,
+            up: DVec3::Y,
+            turbulence: None,
+            turb_depth: 0.5,
+        }
+    }
+}
+
 /// `rainbow`.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
@@ -63,4 +80,22 @@ pub struct Rainbow {
     pub falloff_angle_deg: Option<f64>,
     /// The band's colours over 0..1.
     pub pigment: Arc<Pigment>,
+}
+
+impl Rainbow {
+    /// A rainbow of which nothing is said.
+    pub fn new(span: Span) -> Self {
+        Self {
+            span,
+            direction: DVec3::ZERO,
+            up: DVec3::Y,
+            angle_deg: 0.0,
+            width_deg: 0.0,
+            distance: 1e7, // POV-Ray's default
+            jitter: 0.0,
+            arc_angle_deg: None,
+            falloff_angle_deg: None,
+            pigment: Arc::new(Pigment::solid(Color { transmit: 1.0, ..Color::BLACK })),
+        }
+    }
 }

@@ -80,6 +80,27 @@ pub struct Media {
 }
 
 impl Media {
+    /// A medium of which nothing is said, by the rules of version 3.5 and later.
+    pub fn new(span: Span) -> Self {
+        Self {
+            span,
+            method: 3,
+            intervals: 1,
+            samples: [10, 10],
+            jitter: 0.0,
+            aa_level: 3,
+            aa_threshold: 0.1,
+            confidence: 0.9,
+            variance: 1.0 / 128.0,
+            ratio: 0.9,
+            absorption: Rgb::ZERO,
+            emission: Rgb::ZERO,
+            scattering: (0, Rgb::ZERO, 0.0, 1.0),
+            density: Vec::new(),
+            collect: true,
+        }
+    }
+
     /// Moves the densities written so far.
     pub fn apply(&mut self, transform: &Transform) {
         for density in &mut self.density {

@@ -25,6 +25,28 @@ pub struct LightSource {
     pub photons: PhotonFlags,
 }
 
+impl LightSource {
+    /// A light of which nothing more is said.
+    pub fn new(location: DVec3, color: Rgb) -> Self {
+        Self {
+            location,
+            color,
+            kind: LightKind::Point,
+            parallel: false,
+            axis: DVec3::Z,
+            point_at: DVec3::Z,
+            fade_distance: 0.0,
+            fade_power: 0.0,
+            area: None,
+            looks_like: None,
+            projected_through: None,
+            media_attenuation: false,
+            media_interaction: true,
+            photons: PhotonFlags::NONE,
+        }
+    }
+}
+
 /// The last of `spotlight`, `cylinder`, `shadowless` wins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs)]

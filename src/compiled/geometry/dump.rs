@@ -150,8 +150,9 @@ impl Dump<'_> {
 }
 
 fn vector(v: DVec3) -> String {
-    // Boxes have room for rounding, which is of no interest here.
-    let rounded = v.to_array().map(|c| if c.abs() < 1e-9 { 0.0 } else { (c * 1e9).round() / 1e9 });
+    /// Boxes have room for rounding, which is of no interest here: so many parts of a unit are told.
+    const PARTS: f64 = 1e9;
+    let rounded = v.to_array().map(|c| if c.abs() < PARTS.recip() { 0.0 } else { (c * PARTS).round() / PARTS });
     format!("<{}, {}, {}>", rounded[0], rounded[1], rounded[2])
 }
 

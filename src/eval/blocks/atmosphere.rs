@@ -128,17 +128,7 @@ impl Evaluator<'_> {
         let span = self.span();
         self.open("fog")?;
         let pick = |v: &Value| if let Value::Fog(f) = v { Some((**f).clone()) } else { None };
-        let mut fog = self.take_declared(pick)?.unwrap_or(Fog {
-            span,
-            ground: false,
-            distance: 0.0,
-            color: Color::BLACK,
-            offset: 0.0,
-            alt: 0.0,
-            up: DVec3::Y,
-            turbulence: None,
-            turb_depth: 0.5,
-        });
+        let mut fog = self.take_declared(pick)?.unwrap_or(Fog::new(span));
         fog.span = span;
         loop {
             self.comma()?;
@@ -162,18 +152,7 @@ impl Evaluator<'_> {
         let span = self.span();
         self.open("rainbow")?;
         let pick = |v: &Value| if let Value::Rainbow(r) = v { Some((**r).clone()) } else { None };
-        let mut rainbow = self.take_declared(pick)?.unwrap_or_else(|| Rainbow {
-            span,
-            direction: DVec3::ZERO,
-            up: DVec3::Y,
-            angle_deg: 0.0,
-            width_deg: 0.0,
-            distance: 1e7, // POV-Ray's default
-            jitter: 0.0,
-            arc_angle_deg: None,
-            falloff_angle_deg: None,
-            pigment: Arc::new(Pigment::solid(Color { transmit: 1.0, ..Color::BLACK })),
-        });
+        let mut rainbow = self.take_declared(pick)?.unwrap_or_else(|| Rainbow::new(span));
         rainbow.span = span;
         self.items_of(&RAINBOW, &mut rainbow)?;
         self.close_of(&RAINBOW)?;

@@ -4,7 +4,7 @@ use super::pattern::no_list;
 use super::table::{Block, Item, Takes, Word};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
-use crate::math::{Color, Rgb};
+use crate::math::Color;
 use crate::scene::{Blend, Density, Interior, Media, Pattern, PatternKind};
 use crate::stack::roomy;
 use crate::syntax::Keyword as K;
@@ -183,23 +183,10 @@ impl Evaluator<'_> {
 
     /// What a `media` block starts from under the version in force.
     fn default_media(&self, span: Span) -> Media {
-        let new = self.version >= VERSION_WITH_MEDIA_METHOD_3;
-        Media {
-            span,
-            method: if new { 3 } else { 1 },
-            intervals: if new { 1 } else { 10 },
-            samples: if new { [10, 10] } else { [1, 1] },
-            jitter: 0.0,
-            aa_level: 3,
-            aa_threshold: 0.1,
-            confidence: 0.9,
-            variance: 1.0 / 128.0,
-            ratio: 0.9,
-            absorption: Rgb::ZERO,
-            emission: Rgb::ZERO,
-            scattering: (0, Rgb::ZERO, 0.0, 1.0),
-            density: Vec::new(),
-            collect: true,
+        let media = Media::new(span);
+        match self.version {
+            VERSION_WITH_MEDIA_METHOD_3.. => media,
+            _ => Media { method: 1, intervals: 10, samples: [1, 1], ..media },
         }
     }
 

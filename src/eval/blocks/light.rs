@@ -4,7 +4,7 @@ use super::table::{Block, Item, Takes, Word};
 use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
 use crate::math::{DVec3, Transform};
-use crate::scene::{AreaLight, LightKind, LightSource, Object, PhotonFlags, Shape};
+use crate::scene::{AreaLight, LightKind, LightSource, Object, Shape};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -164,22 +164,7 @@ impl Evaluator<'_> {
         let location = self.vector()?;
         self.comma()?;
         let color = self.rgb_only("a light's colour")?;
-        let light = LightSource {
-            location,
-            color,
-            kind: LightKind::Point,
-            parallel: false,
-            axis: DVec3::Z,
-            point_at: DVec3::Z,
-            fade_distance: 0.0,
-            fade_power: 0.0,
-            area: None,
-            looks_like: None,
-            projected_through: None,
-            media_attenuation: false,
-            media_interaction: true,
-            photons: PhotonFlags::default(),
-        };
+        let light = LightSource::new(location, color);
         let mut draft = Draft {
             light,
             adaptive: NOT_ADAPTIVE,

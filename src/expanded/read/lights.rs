@@ -3,29 +3,14 @@
 use super::objects::photons;
 use super::reader::{Reader, Value, misplaced};
 use super::tree::{Items, Node, Read, Rule, place, wrong};
-use crate::math::{DVec3, Rgb, Transform};
-use crate::scene::{AreaLight, Interior, LightKind, LightSource, Media, PhotonFlags, Shape};
+use crate::math::{DVec3, Transform};
+use crate::scene::{AreaLight, Interior, LightKind, LightSource, Media, Shape};
 use std::sync::Arc;
 
 impl<'a> Reader<'a> {
     /// A light source without its modifiers.
     pub(super) fn light(&mut self, items: &mut Items<'a>) -> Read<Shape> {
-        let mut light = LightSource {
-            location: items.vector()?,
-            color: items.rgb()?,
-            kind: LightKind::Point,
-            parallel: false,
-            axis: DVec3::Z,
-            point_at: DVec3::Z,
-            fade_distance: 0.0,
-            fade_power: 0.0,
-            area: None,
-            looks_like: None,
-            projected_through: None,
-            media_attenuation: false,
-            media_interaction: true,
-            photons: PhotonFlags::NONE,
-        };
+        let mut light = LightSource::new(items.vector()?, items.rgb()?);
         let mut axis = None;
         while items.peek().is_some_and(|rule| rule != Rule::modifiers) {
             let item = items.node()?;
@@ -130,23 +115,7 @@ impl<'a> Reader<'a> {
 
     /// `media { … }`.
     pub(super) fn media(&mut self, node: Node<'a>) -> Read<Media> {
-        let mut media = Media {
-            span: place(&node),
-            method: 3,
-            intervals: 1,
-            samples: [10, 10],
-            jitter: 0.0,
-            aa_level: 3,
-            aa_threshold: 0.1,
-            confidence: 0.9,
-            variance: 1.0 / 128.0,
-            ratio: 0.9,
-            absorption: Rgb::ZERO,
-            emission: Rgb::ZERO,
-            scattering: (0, Rgb::ZERO, 0.0, 1.0),
-            density: Vec::new(),
-            collect: true,
-        };
+        let mut media = Media::new(place(&node));
         for item in node.into_inner() {
             if item.as_rule() == Rule::density {
                 media.density.push(self.density(item)?);

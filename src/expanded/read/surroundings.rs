@@ -166,17 +166,7 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn fog(&mut self, node: Node<'a>) -> Read<Fog> {
-        let mut fog = Fog {
-            span: place(&node),
-            ground: false,
-            distance: 0.0,
-            color: Color::BLACK,
-            offset: 0.0,
-            alt: 0.0,
-            up: DVec3::Y,
-            turbulence: None,
-            turb_depth: 0.5,
-        };
+        let mut fog = Fog::new(place(&node));
         for item in node.into_inner() {
             let mut items = Items::of(item.clone());
             match item.as_rule() {
@@ -196,18 +186,7 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn rainbow(&mut self, node: Node<'a>) -> Read<Rainbow> {
-        let mut rainbow = Rainbow {
-            span: place(&node),
-            direction: DVec3::ZERO,
-            up: DVec3::Y,
-            angle_deg: 0.0,
-            width_deg: 0.0,
-            distance: 1e7, // POV-Ray's default
-            jitter: 0.0,
-            arc_angle_deg: None,
-            falloff_angle_deg: None,
-            pigment: Arc::new(Pigment::solid(Color { transmit: 1.0, ..Color::BLACK })),
-        };
+        let mut rainbow = Rainbow::new(place(&node));
         for item in node.clone().into_inner() {
             let mut items = Items::of(item.clone());
             match item.as_rule() {

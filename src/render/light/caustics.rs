@@ -2,8 +2,8 @@
 //!
 //! Source: photon facts, section 5 (measured).
 
-use super::direct::{Beam, TURNED_AWAY, answer, film};
-use crate::math::{DVec3, Rgb};
+use super::direct::{Beam, answer, film};
+use crate::math::Rgb;
 use crate::render::photons::{Caught, Gathered};
 use crate::render::shade::SurfaceLayer;
 use crate::render::vertex::{Place as _, Vertex};
@@ -36,25 +36,11 @@ impl Caustics {
         let wavelength = worker.world().settings.irid_wavelength;
         let mut sum = Rgb::ZERO;
         for &(direction, flux) in &*photons {
-            if let Some(beam) = lit_side(vertex, layer, direction) {
+            if let Some(beam) = Beam::falling(vertex, layer, direction, false) {
                 let spread = vertex.facing.dot(direction).clamp(GRAZING, 1.0) as f32;
                 sum += answer(vertex, layer, &beam) * film(wavelength, vertex, layer, direction) * flux / spread;
             }
         }
         sum / *extent as f32
     }
-}
-
-/// How the light of a photon falls on a layer; `None` if the surface stays dark.
-fn lit_side(vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, direction: DVec3) -> Option<Beam> {
-    let cosine = direction.dot(layer.normal);
-    let front = cosine >= TURNED_AWAY || vertex.surface.double_illuminate;
-    let back = !front && layer.finish.diffuse_back != 0.0;
-    (front || back).then_some(Beam {
-        direction,
-        cosine: cosine.abs(),
-        back,
-        highlights: !back && vertex.path.bounce == 0,
-        light: 0,
-    })
 }

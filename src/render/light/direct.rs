@@ -14,7 +14,7 @@ use crate::render::worker::Worker;
 use smallvec::SmallVec;
 
 /// POV-Ray's cosine below which a surface is turned away from a light.
-pub(super) const TURNED_AWAY: f64 = 1e-10;
+const TURNED_AWAY: f64 = 1e-10;
 
 /// Light that arrives at one vertex, worked out once for all layers: what each of the lights that shine there gives,
 /// in their order, as far as a layer has asked.
@@ -44,15 +44,15 @@ struct Entry {
 /// Light that falls on a layer from one direction.
 pub(super) struct Beam {
     /// Unit direction to the light.
-    pub(super) direction: DVec3,
+    direction: DVec3,
     /// Cosine between normal and light, not negative.
-    pub(super) cosine: f64,
+    cosine: f64,
     /// It falls on the far side.
-    pub(super) back: bool,
+    back: bool,
     /// The light gives highlights.
-    pub(super) highlights: bool,
+    highlights: bool,
     /// Number of the light.
-    pub(super) light: usize,
+    light: usize,
 }
 
 /// Diffuse light and highlights from all lights that shine on a layer.
@@ -157,7 +157,8 @@ fn ratio(color: Rgb, of: Rgb) -> f32 {
     color[largest] / of[largest]
 }
 
-/// How light from a direction falls on a layer; `None` if the surface stays dark.
+/// How light of a source falls on a layer from a direction; `None` if the surface stays dark.
+#[inline]
 fn lit_side(
     vertex: &Vertex<'_>,
     layer: &SurfaceLayer<'_>,
@@ -165,12 +166,23 @@ fn lit_side(
     light: &Light,
     direction: DVec3,
 ) -> Option<Beam> {
-    let cosine = direction.dot(layer.normal);
-    let front = cosine >= TURNED_AWAY || vertex.surface.double_illuminate;
-    let back = !front && layer.diffuse_back != 0.0;
-    if !front && !back && !light.two_sided {
-        return None;
+    let beam = Beam::falling(vertex, layer, direction, light.two_sided)?;
+    Some(Beam { highlights: beam.highlights && !light.shadowless, light: index, ..beam })
+}
+
+impl Beam {
+    /// Light from anywhere, as far as the surface decides; `two_sided` light falls on what is turned away, too.
+    #[inline]
+    pub(super) fn falling(
+        vertex: &Vertex<'_>,
+        layer: &SurfaceLayer<'_>,
+        direction: DVec3,
+        two_sided: bool,
+    ) -> Option<Self> {
+        let cosine = direction.dot(layer.normal);
+        let front = cosine >= TURNED_AWAY || vertex.surface.double_illuminate;
+        let back = !front && layer.diffuse_back != 0.0;
+        let highlights = !back && vertex.path.bounce == 0;
+        (front || back || two_sided).then_some(Self { direction, cosine: cosine.abs(), back, highlights, light: 0 })
     }
-    let highlights = !back && !light.shadowless && vertex.path.bounce == 0;
-    Some(Beam { direction, cosine: cosine.abs(), back, highlights, light: index })
 }
