@@ -33,12 +33,12 @@ def balls(finish: str, transmit: float = 0) -> str:
 
 #: Scene, and the most instructions that a pixel of it may take: 8 % more than were counted.
 SCENES = {
-    "plane": (FLOOR, 3250),
-    "checker": (FLOOR.replace("rgb <.6, .7, .8>", "checker rgb 1, rgb .3"), 3300),
-    "spheres": (balls("finish { phong .8 phong_size 40 }"), 4050),
-    "mirrors": (balls("finish { reflection .5 }"), 4900),
-    "glass": (balls("finish { specular .3 } interior { ior 1.5 }", 0.8), 8200),
-    "solids": (FLOOR + SOLIDS, 6350),
+    "plane": (FLOOR, 3050),
+    "checker": (FLOOR.replace("rgb <.6, .7, .8>", "checker rgb 1, rgb .3"), 3050),
+    "spheres": (balls("finish { phong .8 phong_size 40 }"), 3800),
+    "mirrors": (balls("finish { reflection .5 }"), 4600),
+    "glass": (balls("finish { specular .3 } interior { ior 1.5 }", 0.8), 7750),
+    "solids": (FLOOR + SOLIDS, 6150),
 }
 
 

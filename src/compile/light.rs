@@ -24,6 +24,7 @@ pub(super) fn light(placed: &PlacedLight) -> SourceResult<Light> {
     Ok(Light {
         location: light.location,
         color: light.color,
+        dark: Light::dark(light.color),
         beam: beam(light.kind),
         axis: light.axis,
         point_at: light.point_at,

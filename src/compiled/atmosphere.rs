@@ -27,6 +27,11 @@ impl Atmosphere {
     pub fn is_clear(&self) -> bool {
         self.fogs.is_empty() && self.rainbows.is_empty()
     }
+
+    /// Whether light loses something on its way through it.
+    pub fn dims_lights(&self) -> bool {
+        !(self.fogs.is_empty() && self.media.is_empty())
+    }
 }
 
 /// `background`, as rays of different kinds see it.

@@ -13,6 +13,8 @@ pub struct Light {
     pub location: DVec3,
     /// Its colour; channels may be negative.
     pub color: Rgb,
+    /// Brightness up to which light of it counts as black.
+    pub dark: f32,
     /// How brightness depends on the direction.
     pub beam: Beam,
     /// Unit direction in which it points.
@@ -100,18 +102,21 @@ pub struct Arrival {
     pub color: Rgb,
 }
 
-/// POV-Ray's limit below which a light counts as black; of lights dimmer than 1, a share of their colour.
-const DARK: f32 = 1e-10;
-
 impl Light {
+    /// POV-Ray's limit up to which light counts as black; of a light dimmer than 1 it is a share of its colour.
+    pub fn dark(color: Rgb) -> f32 {
+        1e-10 * color.abs().max_element().min(1.0)
+    }
+
     /// Whether of its own colour so little is left that it counts as black.
     pub fn is_spent(&self, color: Rgb) -> bool {
-        color.abs().max_element() <= DARK * self.color.abs().max_element().min(1.0)
+        color.abs().max_element() <= self.dark
     }
 
     /// Direction and distance to the light or one of its samples at `source`.
     ///
     /// Each sample of a parallel area light shines from where it stands toward `point_at`, and has a plane across that.
+    #[inline(always)]
     pub fn toward(&self, point: DVec3, source: DVec3) -> (DVec3, f64) {
         let to = source - point;
         if !self.parallel {
@@ -126,6 +131,7 @@ impl Light {
     }
 
     /// The light that arrives from `source` when nothing is in its way.
+    #[inline(always)]
     pub fn arrival(&self, point: DVec3, source: DVec3) -> Arrival {
         let (direction, distance) = self.toward(point, source);
         let factor = self.angular(point, direction) * self.distance_fade(distance);
@@ -218,6 +224,7 @@ mod tests {
         Light {
             location,
             color: Rgb::splat(0.8),
+            dark: Light::dark(Rgb::splat(0.8)),
             beam,
             axis: (point_at - location).normalize(),
             point_at,

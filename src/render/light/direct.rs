@@ -62,37 +62,50 @@ pub(in crate::render) fn direct_light(
     layer: &SurfaceLayer<'_>,
     arriving: &mut ArrivingLight,
 ) -> Rgb {
-    let world = worker.world();
-    let asks_spent_lights = world.features.kept.holds(Omission::SpentLights);
+    let lights = worker.world().lights_for(vertex.light_group());
     let mut sum = Rgb::ZERO;
-    for (order, &index) in world.lights_for(vertex.light_group()).iter().enumerate() {
-        let light = &world.lights[index];
-        let arrive = || Entry { arrival: light.arrival(vertex.point(), light.location), unblocked: None };
-        let mut once = None;
-        let Entry { arrival, unblocked } =
-            if layer.is_only { once.insert(arrive()) } else { arriving.entry(order, arrive) };
-        let sampled =
-            light.area.as_ref().filter(|a| a.illumination && vertex.path.bounce == 0 && worker.options().area_lights());
-        let beam = lit_side(vertex, layer, index, light, arrival.direction);
-        let is_spent = sampled.is_none() && light.is_spent(arrival.color);
-        let spares_ray = beam.is_none() && sampled.is_none() || is_spent && !asks_spent_lights;
-        if spares_ray {
-            worker.statistics.spared_shadow_rays += 1;
-            continue;
-        }
-        let rgb = *unblocked
-            .get_or_insert_with(|| visibility::light_through(worker, vertex, index, arrival, sampled.is_some()));
-        if is_spent || light.is_spent(rgb) {
-            continue;
-        }
-        let answer = match (sampled, beam) {
-            (Some(area), _) => area_answer(vertex, layer, (index, light, area), rgb),
-            (None, Some(beam)) => answer(vertex, layer, &beam) * rgb,
-            (None, None) => Rgb::ZERO,
-        };
-        sum += answer * film(world.settings.irid_wavelength, vertex, layer, arrival.direction);
+    for (order, &index) in lights.iter().enumerate() {
+        sum += from_light(worker, vertex, layer, index, (arriving, order));
     }
     sum
+}
+
+/// Diffuse light and highlights from one light, which is number `order` among those that shine there.
+// Not inline: what one light needs would be put ready for many.
+#[inline(never)]
+fn from_light(
+    worker: &mut Worker<'_>,
+    vertex: &Vertex<'_>,
+    layer: &SurfaceLayer<'_>,
+    index: usize,
+    (arriving, order): (&mut ArrivingLight, usize),
+) -> Rgb {
+    let world = worker.world();
+    let light = &world.lights[index];
+    let arrive = || Entry { arrival: light.arrival(vertex.point(), light.location), unblocked: None };
+    let mut once = None;
+    let Entry { arrival, unblocked } =
+        if layer.is_only { once.insert(arrive()) } else { arriving.entry(order, arrive) };
+    let sampled =
+        light.area.as_ref().filter(|a| a.illumination && vertex.path.bounce == 0 && worker.options().area_lights());
+    let beam = lit_side(vertex, layer, index, light, arrival.direction);
+    let is_spent = sampled.is_none() && light.is_spent(arrival.color);
+    let is_dark = || is_spent && !world.features.kept.holds(Omission::SpentLights);
+    if beam.is_none() && sampled.is_none() || is_dark() {
+        worker.statistics.spared_shadow_rays += 1;
+        return Rgb::ZERO;
+    }
+    let rgb =
+        *unblocked.get_or_insert_with(|| visibility::light_through(worker, vertex, index, arrival, sampled.is_some()));
+    if is_spent || light.is_spent(rgb) {
+        return Rgb::ZERO;
+    }
+    let answer = match (sampled, beam) {
+        (Some(area), _) => area_answer(vertex, layer, (index, light, area), rgb),
+        (None, Some(beam)) => answer(vertex, layer, &beam) * rgb,
+        (None, None) => Rgb::ZERO,
+    };
+    answer * film(world.settings.irid_wavelength, vertex, layer, arrival.direction)
 }
 
 /// What a thin film makes of light from a direction; 1 without one.
@@ -104,6 +117,7 @@ pub(super) fn film(wavelength: Rgb, vertex: &Vertex<'_>, layer: &SurfaceLayer<'_
 }
 
 /// What a layer makes of white light from one direction.
+#[inline(always)]
 pub(super) fn answer(vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, beam: &Beam) -> Rgb {
     let finish = layer.finish;
     let mut answer = Rgb::ZERO;
@@ -111,8 +125,7 @@ pub(super) fn answer(vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, beam: &Beam)
     if amount > 0.0 {
         let mut diffuse = amount * layer.opacity * finish::brilliance(finish, beam.cosine);
         if finish.crand != 0.0 {
-            diffuse -= finish.crand
-                * layer.random.branch(Branch::Layer(layer.depth)).unit(Dimension::Crand { light: beam.light }) as f32;
+            diffuse -= finish.crand * grain(layer, beam.light);
         }
         answer += diffuse * layer.albedo;
     }
@@ -123,7 +136,14 @@ pub(super) fn answer(vertex: &Vertex<'_>, layer: &SurfaceLayer<'_>, beam: &Beam)
     answer
 }
 
+/// What `crand` takes from a layer's diffuse light, from 0 to 1.
+#[inline(never)]
+fn grain(layer: &SurfaceLayer<'_>, light: usize) -> f32 {
+    layer.random.branch(Branch::Layer(layer.depth)).unit(Dimension::Crand { light }) as f32
+}
+
 /// Each sample of an area light shades by itself; all share one shadow, as in POV-Ray.
+#[inline(never)]
 fn area_answer(
     vertex: &Vertex<'_>,
     layer: &SurfaceLayer<'_>,

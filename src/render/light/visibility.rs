@@ -25,7 +25,7 @@ const PROJECTION_MARGIN: f64 = 0.001;
 ///
 /// With `bare` the light's own colour is filtered, without cone and fade: for lights whose
 /// samples each have their own.
-#[inline]
+#[inline(always)]
 pub(in crate::render) fn light_through<P: Place>(
     worker: &mut Worker<'_>,
     place: &P,
@@ -33,11 +33,20 @@ pub(in crate::render) fn light_through<P: Place>(
     arrival: &Arrival,
     bare: bool,
 ) -> Rgb {
+    if worker.world().lights[index].area.is_some() || bare {
+        return through_area(worker, place, index, arrival, bare);
+    }
+    unblocked(worker, place, index, arrival)
+}
+
+/// The same for a light with an extent, or a bare one.
+#[inline(never)]
+fn through_area<P: Place>(worker: &mut Worker<'_>, place: &P, index: usize, arrival: &Arrival, bare: bool) -> Rgb {
     let light = &worker.world().lights[index];
     let color = if bare { light.color } else { arrival.color };
     let options = worker.options();
     let casts = !light.shadowless && options.shadows();
-    let mut from = |direction, distance| arriving(worker, place, (index, light), direction, distance, color);
+    let mut from = |direction, distance| unblocked(worker, place, index, &Arrival { direction, distance, color });
     match &light.area {
         Some(area) if casts && options.area_lights() && place.path().bounce == 0 => {
             Grid::new(place, index, light, area, from).mean()
@@ -46,15 +55,10 @@ pub(in crate::render) fn light_through<P: Place>(
     }
 }
 
-/// A colour on its way from a light or one of its samples.
-fn arriving<P: Place>(
-    worker: &mut Worker<'_>,
-    place: &P,
-    (index, light): (usize, &Light),
-    direction: DVec3,
-    distance: f64,
-    color: Rgb,
-) -> Rgb {
+/// What is left of light on its way from a light or one of its samples.
+fn unblocked<P: Place>(worker: &mut Worker<'_>, place: &P, index: usize, arrival: &Arrival) -> Rgb {
+    let light = &worker.world().lights[index];
+    let Arrival { direction, distance, color } = *arrival;
     let mut reach = distance;
     if let Some(window) = &light.projected_through {
         let (ray, range) = place.leave(direction);
@@ -69,13 +73,11 @@ fn arriving<P: Place>(
         return color;
     }
     // Behind the plane of a parallel light, at a negative distance, there is no fog (measured).
-    let atmosphere = &worker.world().atmosphere;
     let fogged = worker.has_air(place.path())
         && light.media_attenuation
         && distance > 0.0
-        && !(atmosphere.fogs.is_empty() && atmosphere.media.is_empty());
-    let way = Way { direction, reach, fogged: fogged.then_some(distance), light: index };
-    color_after(worker, place, way, color)
+        && worker.world().atmosphere.dims_lights();
+    color_after(worker, place, Way { direction, reach, fogged: fogged.then_some(distance), light: index }, color)
 }
 
 /// The straight way to a light.
@@ -91,44 +93,47 @@ struct Way {
 }
 
 /// A colour after all surfaces, fog and media on a way.
+#[inline(always)]
+fn color_after<P: Place>(worker: &mut Worker<'_>, place: &P, way: Way, color: Rgb) -> Rgb {
+    let world = worker.world();
+    let (ray, range) = place.leave(way.direction);
+    let range = Range { max: way.reach * (1.0 - LIGHT_MARGIN), ..range };
+    worker.statistics.shadow_rays += 1;
+    let opaque = (world.features.see_through_textures > 0).then_some(&world.opaque);
+    match (world.geometry.shadow(&ray, range, way.light, opaque, &mut worker.scratch), way.fogged) {
+        (Shadow::Blocked, _) => Rgb::ZERO,
+        (Shadow::Clear, None) => color,
+        (Shadow::Clear, Some(length)) => color * last_air(world, place, (&ray, length), place.interiors(), 0),
+        (Shadow::Filtered, _) => color_filtered(worker, place, &way, (ray, range), color),
+    }
+}
+
+/// A colour after surfaces that let light through.
 ///
 /// As in POV-Ray the media of objects act on pieces that end on a surface, but not on the last one; those of the
 /// atmosphere act on all, even in solid objects.
-fn color_after<P: Place>(worker: &mut Worker<'_>, place: &P, way: Way, mut color: Rgb) -> Rgb {
+#[inline(never)]
+fn color_filtered<P: Place>(
+    worker: &mut Worker<'_>,
+    place: &P,
+    way: &Way,
+    (mut ray, mut range): (Ray, Range),
+    mut color: Rgb,
+) -> Rgb {
     let world = worker.world();
-    let (mut ray, range) = place.leave(way.direction);
-    let mut range = Range { max: way.reach * (1.0 - LIGHT_MARGIN), ..range };
-    worker.statistics.shadow_rays += 1;
-    let fog = |ray: &Ray, length: Option<f64>, inside: &Interiors| match length {
-        Some(length) if inside.are_hollow() => fog_transmittance(world, ray, length),
-        _ => Rgb::ONE,
-    };
     let fills = worker.has_air(place.path()) && world.features.filled_interiors > 0;
-    let atmosphere = |ray: &Ray, length: Option<f64>, n: u32| match length {
-        Some(length) if !world.atmosphere.media.is_empty() => {
-            passage(world, place, (ray, length), n).transmittance(world.atmosphere.media.clone())
-        }
-        _ => Rgb::ONE,
-    };
-    let last = |ray: &Ray, length: Option<f64>, inside: &Interiors, n: u32| match inside.are_hollow() {
-        true => fog(ray, length, inside) * atmosphere(ray, length, n),
-        false => Rgb::ONE,
-    };
-    let opaque = (world.features.see_through_textures > 0).then_some(&world.opaque);
-    match world.geometry.shadow(&ray, range, way.light, opaque, &mut worker.scratch) {
-        Shadow::Blocked => return Rgb::ZERO,
-        Shadow::Clear => return color * last(&ray, way.fogged, place.interiors(), 0),
-        Shadow::Filtered => {}
-    }
-    let mut interiors = None;
+    let mut interiors = place.interiors().clone();
     let mut fogged = way.fogged;
     let mut n_pieces = 0;
     loop {
-        let Some(hit) = world.geometry.intersect(&ray, range, RayKind::Shadow, &mut worker.scratch) else {
-            worker.scratch.note_filtered(way.light, interiors.is_some());
-            return color * last(&ray, fogged, interiors.as_ref().unwrap_or(place.interiors()), n_pieces);
+        let hit = world.geometry.intersect(&ray, range, RayKind::Shadow, &mut worker.scratch);
+        worker.scratch.note_filtered(way.light, n_pieces > 0);
+        let Some(hit) = hit else {
+            return match fogged {
+                Some(length) => color * last_air(world, place, (&ray, length), &interiors, n_pieces),
+                None => color,
+            };
         };
-        worker.scratch.note_filtered(way.light, interiors.is_some());
         if world.geometry.blocks(&hit, &world.opaque) {
             return Rgb::ZERO;
         }
@@ -139,9 +144,8 @@ fn color_after<P: Place>(worker: &mut Worker<'_>, place: &P, way: Way, mut color
         if is_brought_by_photons(worker, place, &surface, &world.lights[way.light]) {
             return Rgb::ZERO;
         }
-        let interiors = interiors.get_or_insert_with(|| place.interiors().clone());
         if let Some(length) = &mut fogged {
-            color *= fog(&ray, Some(hit.t), interiors) * atmosphere(&ray, Some(hit.t), n_pieces);
+            color *= fog(world, (&ray, hit.t), &interiors) * air(world, place, (&ray, hit.t), n_pieces);
             *length -= hit.t;
         }
         if fills {
@@ -164,6 +168,27 @@ fn color_after<P: Place>(worker: &mut Worker<'_>, place: &P, way: Way, mut color
         range.max = left;
         worker.statistics.shadow_rays += 1;
     }
+}
+
+/// What fog leaves of light on a piece of a way; none is in solid objects.
+fn fog(world: &World, (ray, length): (&Ray, f64), inside: &Interiors) -> Rgb {
+    if inside.are_hollow() { fog_transmittance(world, ray, length) } else { Rgb::ONE }
+}
+
+/// What the media of the atmosphere leave of light on piece number `n` of a way.
+fn air(world: &World, place: &impl Place, (ray, length): (&Ray, f64), n: u32) -> Rgb {
+    if world.atmosphere.media.is_empty() {
+        return Rgb::ONE;
+    }
+    passage(world, place, (ray, length), n).transmittance(world.atmosphere.media.clone())
+}
+
+/// What fog and air leave on the last piece of a way, number `n`.
+fn last_air(world: &World, place: &impl Place, (ray, length): (&Ray, f64), inside: &Interiors, n: u32) -> Rgb {
+    if !inside.are_hollow() {
+        return Rgb::ONE;
+    }
+    fog(world, (ray, length), inside) * air(world, place, (ray, length), n)
 }
 
 /// Whether light through a surface comes with photons, where they stay, and not straight from its source.

@@ -35,7 +35,7 @@ pub(in crate::render) struct Lane<'p> {
 
 impl Lane<'_> {
     /// The colour of a layer, by its index, if it is one that is found for all four at once.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn color(self, layer: usize) -> Option<Color> {
         let Lanes { layers, points, uvs, colors } = self.all;
         let Layer { pigment, side_by_side: true, .. } = &layers[layer] else { return None };
