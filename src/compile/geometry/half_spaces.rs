@@ -5,6 +5,7 @@
 //! proof of a bound, so that rounding and an early end cost tightness and never correctness.
 //! Source: Chvátal, Linear Programming, 1983, chapter 10 (the dual simplex method).
 
+use super::quadric_reach;
 use crate::compiled::geometry::{Geometry, Node, NodeId, NodeKind, Operation, PLANE_BOUNDARY, Shape, padded};
 use crate::math::{Bounds, DVec3, gamma};
 use glam::DMat3;
@@ -26,6 +27,7 @@ pub(super) fn tighten(geometry: &Geometry, node: &mut Node) {
         children.iter().for_each(|child| collect(geometry, *child, &mut around));
     }
     node.clips.iter().for_each(|clip| collect(geometry, *clip, &mut around));
+    close_quadrics(geometry, node, &around);
     let is_slanted = |h: &HalfSpace| !DVec3::AXES.contains(&h.normal.abs());
     if !around.iter().any(is_slanted) {
         // The boxes of the parts say the same.
@@ -45,6 +47,31 @@ pub(super) fn tighten(geometry: &Geometry, node: &mut Node) {
         }));
     }
     node.bounds = within(&node.bounds, &around);
+}
+
+/// Makes an open node's boxes as small as its quadrics allow among half-spaces.
+fn close_quadrics(geometry: &Geometry, node: &mut Node, around: &[HalfSpace]) {
+    if node.extent.is_finite() && node.bounds.is_finite() {
+        return;
+    }
+    match &node.kind {
+        NodeKind::Primitive(p) => {
+            let among = |surface_only| quadric_reach::among(&geometry.primitives[*p], around, surface_only);
+            node.extent = node.extent.intersection(&among(false));
+            node.bounds = node.bounds.intersection(&among(true));
+        }
+        NodeKind::Csg { operation: Operation::Intersection, children, .. } => {
+            for child in children {
+                if let NodeKind::Primitive(p) = geometry.nodes[*child].kind {
+                    let among = quadric_reach::among(&geometry.primitives[p], around, false);
+                    node.extent = node.extent.intersection(&among);
+                }
+            }
+            // What survives is within all parts.
+            node.bounds = node.bounds.intersection(&node.extent);
+        }
+        NodeKind::Csg { .. } => {}
+    }
 }
 
 /// Half-spaces in which a node is inside, as far as planes and boxes say so.

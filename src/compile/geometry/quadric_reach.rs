@@ -4,7 +4,8 @@
 //! ranges over the box bound it; inside, where the sum is not positive, they bound it from above. Old scenes build
 //! turned wood of such pieces; without bounds every ray would have to try each.
 
-use crate::compiled::geometry::{Primitive, Shape as Compiled, padded};
+use super::half_spaces::HalfSpace;
+use crate::compiled::geometry::{Primitive, Quadric, Shape as Compiled, padded};
 use crate::math::{Bounds, DMat3, DVec3, gamma};
 
 /// Part of the box in which the surface of a primitive, or its surface and inside, can be.
@@ -27,6 +28,83 @@ pub(super) fn within(primitive: &Primitive, around: &Bounds, surface_only: bool)
             (scale, place.origin())
         }
     };
+    let reach = reach(quadric, scale, origin, around, surface_only);
+    if reach.is_empty() { Bounds::EMPTY } else { padded(reach) }
+}
+
+/// Where the surface of a primitive, or its surface and inside, can be among half-spaces of its group, however the two
+/// are turned to each other.
+///
+/// Anything but a quadric along axes of its own is everywhere.
+pub(super) fn among(primitive: &Primitive, half_spaces: &[HalfSpace], surface_only: bool) -> Bounds {
+    let Compiled::Quadric(quadric) = &primitive.shape else { return Bounds::INFINITE };
+    if quadric.products != DVec3::ZERO || (primitive.inverse && !surface_only) {
+        return Bounds::INFINITE;
+    }
+    let local = |h: &HalfSpace| match &primitive.group_from_local {
+        None => Cut { normal: h.normal, distance: h.distance, doubt: 0.0 },
+        Some(place) => {
+            let (normal, shift) = (place.linear().transpose() * h.normal, h.normal.dot(place.origin()));
+            let doubt = gamma(16) * (h.distance.abs() + (h.normal * place.origin()).abs().element_sum());
+            let length = normal.length();
+            Cut { normal: normal / length, distance: (h.distance - shift) / length, doubt: doubt / length }
+        }
+    };
+    let cuts: Vec<Cut> = half_spaces.iter().map(local).collect();
+    let mut around = Bounds::INFINITE;
+    // Planes cut the quadric, which then is less wide where others cut it.
+    for _ in 0..3 {
+        around = reach(quadric, DVec3::ONE, DVec3::ZERO, &around, surface_only);
+        around = cuts.iter().fold(around, |around, cut| cut.applied(around));
+    }
+    if around.is_empty() || !around.is_finite() {
+        return Bounds::INFINITE;
+    }
+    // What normals are turned by rounding moves their planes by that part of how far away they cut.
+    let slack = Cut::FLAT * around.min.abs().max(around.max.abs()).max_element();
+    let around = padded(Bounds { min: around.min - slack, max: around.max + slack });
+    padded(primitive.group_from_local.as_ref().map_or(around, |place| place.bounds(&around)))
+}
+
+/// Points with `normal` · p <= `distance`, up to a doubt about the distance; the normal is a unit vector.
+#[derive(Clone, Copy)]
+struct Cut {
+    normal: DVec3,
+    distance: f64,
+    doubt: f64,
+}
+
+impl Cut {
+    /// Coordinates of a normal up to this are but rounding of one along an axis.
+    const FLAT: f64 = gamma(64);
+
+    /// What it leaves of a box.
+    fn applied(&self, mut around: Bounds) -> Bounds {
+        let least = |axis: usize| {
+            let n = self.normal[axis];
+            if n.abs() <= Self::FLAT { 0.0 } else { (n * around.min[axis]).min(n * around.max[axis]) }
+        };
+        let least = [least(0), least(1), least(2)];
+        for axis in 0..3 {
+            let (n, rest) = (self.normal[axis], least[(axis + 1) % 3] + least[(axis + 2) % 3]);
+            let slack = self.doubt + gamma(16) * (self.distance.abs() + rest.abs());
+            let end = (self.distance - rest + slack) / n;
+            if n.abs() <= Self::FLAT || !end.is_finite() {
+                continue;
+            }
+            if n > 0.0 {
+                around.max[axis] = around.max[axis].min(end);
+            } else {
+                around.min[axis] = around.min[axis].max(end);
+            }
+        }
+        around
+    }
+}
+
+/// Part of the box in which the surface of a quadric, or its surface and inside, can be, scaled and then moved; without
+/// room for rounding.
+fn reach(quadric: &Quadric, scale: DVec3, origin: DVec3, around: &Bounds, surface_only: bool) -> Bounds {
     let part = |axis: usize| Part {
         square: quadric.squares[axis] / (scale[axis] * scale[axis]),
         linear: quadric.linear[axis] / scale[axis],
@@ -52,7 +130,7 @@ pub(super) fn within(primitive: &Primitive, around: &Bounds, surface_only: bool)
         reach.min[axis] = reach.min[axis].max(found.0);
         reach.max[axis] = reach.max[axis].min(found.1);
     }
-    if reach.is_empty() { Bounds::EMPTY } else { padded(reach) }
+    reach
 }
 
 /// One coordinate's part of the sum: `square x² + linear x` with `x` from an origin.
@@ -163,5 +241,56 @@ mod tests {
         check([1.0, -1.0, 1.0], 1.0, true, all, all);
         let gap = [[-1.0, 1.5, -1.0], [1.0, 2.5, 1.0]];
         check([1.0, -1.0, 1.0], 1.0, false, gap, [[INF; 3], [-INF; 3]]);
+    }
+
+    /// A quadric along the axes and half-spaces, turned together: the box around what they leave, tightly.
+    fn check_turned(squares: [f64; 3], linear: f64, constant: f64, planes: [[f64; 4]; 2], expected: [[f64; 3]; 2]) {
+        let place = Transform::rotation_deg(DVec3::new(20.0, 130.0, -40.0))
+            .then(&Transform::translation(DVec3::new(3.0, -500.0, 70.0)));
+        let linear = DVec3::new(0.0, linear, 0.0);
+        let quadric = Quadric::new(squares.into(), DVec3::ZERO, linear, constant, false);
+        let primitive = Primitive {
+            shape: Compiled::Quadric(Box::new(quadric)),
+            group_from_local: Some(Box::new(place.clone())),
+            inverse: false,
+            uv_from_group: None,
+            appearance: AppearanceId::default(),
+        };
+        let turned = planes.map(|[x, y, z, distance]| {
+            let normal = DVec3::new(x, y, z);
+            let (unit, length) = (place.normal(normal).normalize(), normal.length_squared());
+            HalfSpace { normal: unit, distance: unit.dot(place.point(normal * (distance / length))) }
+        });
+        let found = among(&primitive, &turned, false);
+        let expected = Bounds { min: expected[0].into(), max: expected[1].into() };
+        if !expected.is_finite() {
+            assert_eq!(found, Bounds::INFINITE);
+            return;
+        }
+        let expected = place.bounds(&expected);
+        assert!(found.min.cmple(expected.min).all() && found.max.cmpge(expected.max).all(), "{found:?} {expected:?}");
+        let excess = (expected.min - found.min).max(found.max - expected.max).max_element();
+        assert!(excess < 1e-9, "{found:?} {expected:?}");
+    }
+
+    #[test]
+    fn turned_quadrics_are_closed_by_planes() {
+        let slab = [[0.0, 1.0, 0.0, 2.0], [0.0, -1.0, 0.0, 1.0]];
+        // A tube, a cone, and a bowl that needs one plane only.
+        check_turned([1.0, 0.0, 1.0], 0.0, -1.0, slab, [[-1.0, -1.0, -1.0], [1.0, 2.0, 1.0]]);
+        check_turned([1.0, -1.0, 1.0], 0.0, 0.0, slab, [[-2.0, -1.0, -2.0], [2.0, 2.0, 2.0]]);
+        check_turned(
+            [1.0, 0.0, 1.0],
+            -1.0,
+            0.0,
+            [slab[0]; 2],
+            [[-f64::sqrt(2.0), 0.0, -f64::sqrt(2.0)], [f64::sqrt(2.0), 2.0, f64::sqrt(2.0)]],
+        );
+        // A slanted plane closes a tube at its highest point.
+        let slanted = [[0.6, 0.8, 0.0, 0.8], [0.0, -1.0, 0.0, 1.0]];
+        check_turned([1.0, 0.0, 1.0], 0.0, -1.0, slanted, [[-1.0, -1.0, -1.0], [1.0, 1.75, 1.0]]);
+        // A tube and a cone that are left open.
+        check_turned([1.0, 0.0, 1.0], 0.0, -1.0, [slab[0]; 2], [[-INF; 3], [INF; 3]]);
+        check_turned([1.0, -1.0, 1.0], 0.0, 0.0, [slab[0]; 2], [[-INF; 3], [INF; 3]]);
     }
 }
