@@ -19,6 +19,10 @@ const MOST_PIECES: u32 = 1 << 11;
 /// 50 halvings that a number has bits for, and as much again for a second place.
 const MOST_FINE_PIECES: u32 = 300;
 
+/// Halvings of a piece shorter than `accuracy` across which the value may jump, such as where an angle starts anew. However
+/// short it is, bounds hold all that lies between both sides of the jump, and prove nothing.
+const MOST_HALVINGS_OF_A_JUMP: u32 = 8;
+
 /// Pieces that one search may look at in all, where functions of which little is known stay as good as zero for long.
 const MOST_LOOKS: u32 = 1 << 20;
 
@@ -83,6 +87,8 @@ enum Course {
     /// Nowhere rising, and below zero at the end; with the steepest slope.
     Falling(f64),
     Unknown,
+    /// Not even whether the value jumps.
+    Jumping,
 }
 
 /// Where the chord between two samples meets zero.
@@ -227,7 +233,7 @@ impl<'a> Search<'a> {
                     return Some(self.leap(s).unwrap_or_else(|| self.bisect(s)));
                 }
                 Course::Falling(_) => return Some(self.bisect(s)),
-                Course::Unknown => {}
+                Course::Unknown | Course::Jumping => {}
             }
         } else if !s.may_fall() {
             return None;
@@ -269,22 +275,27 @@ impl<'a> Search<'a> {
         if self.pieces_left == 0 || s.at_low < 0.0 {
             return None;
         }
-        let root = self.look_between(s)?;
+        let root = self.look_between(s, MOST_HALVINGS_OF_A_JUMP)?;
         self.lost = true;
         Some(root)
     }
 
-    /// A point below zero between two samples that are not.
-    fn look_between(&mut self, mut s: Stretch) -> Option<f64> {
-        if self.fine_pieces_left == 0 || !matches!(self.course(&mut s), Course::Unknown) {
+    /// A point below zero between two samples that are not; so many more halvings may be of a jump.
+    fn look_between(&mut self, mut s: Stretch, halvings: u32) -> Option<f64> {
+        if self.fine_pieces_left == 0 {
             return None;
         }
+        let halvings = match self.course(&mut s) {
+            Course::Above | Course::Falling(_) => return None,
+            Course::Unknown => halvings,
+            Course::Jumping => halvings.checked_sub(1)?,
+        };
         self.fine_pieces_left -= 1;
         let (near, far) = self.halves(s)?;
         if near.at_high < 0.0 {
             return Some(near.high);
         }
-        self.look_between(near).or_else(|| self.look_between(far))
+        self.look_between(near, halvings).or_else(|| self.look_between(far, halvings))
     }
 
     /// The point of halving behind the only change of a stretch that falls.
@@ -353,6 +364,6 @@ impl<'a> Search<'a> {
         }
         s.clear.0 = s.clear.0.max(s.low - s.at_low / fall);
         s.clear.1 = s.clear.1.min(s.high - s.at_high / rise);
-        Course::Unknown
+        if enclosed.slope.is_bounded() { Course::Unknown } else { Course::Jumping }
     }
 }
