@@ -16,7 +16,7 @@ use crate::compiled::Table;
 use crate::compiled::geometry::{
     Cuboid, Geometry, Group, GroupBuilder, GroupId, Instance, InteriorId, Item, ItemKind, LightGroupId,
     MAX_INSTANCE_DEPTH, MeshTree, Node, NodeId, NodeKind, ObjectId, Operation, Parent, Parts, PlacementId, Primitive,
-    PrimitiveId, RayMask, Shape as Compiled, TextureId, padded,
+    PrimitiveId, RayMask, Shape as Compiled, TextureId, convex_parts, padded,
 };
 use crate::diag::Diagnostic;
 use crate::math::Bounds;
@@ -278,6 +278,7 @@ impl<'a> Builder<'a> {
                 nodes[child].is_reversed = is_reversed;
             }
         }
+        self.geometry.nodes[root].convex_parts = convex_parts(root, &self.geometry.nodes, &self.geometry.primitives);
     }
 
     /// Places CSG contents as an instance if they are used often enough; whether it did.

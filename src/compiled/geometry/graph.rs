@@ -241,6 +241,8 @@ pub(crate) struct Node {
     pub(crate) is_reversed: bool,
     /// They were once more by solids that are gone: this was their only part, or they were taken apart.
     pub(crate) flips: bool,
+    /// Of a solid's root, the parts of which it is what they have in common, if all are convex; otherwise none.
+    pub(crate) convex_parts: Box<[PrimitiveId]>,
     /// Intersections that stand in each other here, this one included; 0 where it is none or clipped.
     pub(crate) nesting: u8,
 }
@@ -260,6 +262,11 @@ impl Node {
             NodeKind::Primitive(_) => &[],
             NodeKind::Csg { children, .. } => children,
         }
+    }
+
+    /// Whether nothing but its kind says where it is.
+    pub(crate) fn is_bare(&self) -> bool {
+        self.clips.is_empty() && self.bounded_by.is_empty()
     }
 
     /// Whether crossings of a child are taken in reverse order.
@@ -288,6 +295,7 @@ impl Node {
             parent: None,
             is_reversed: false,
             flips: false,
+            convex_parts: Box::default(),
             nesting: 0,
         }
     }

@@ -11,6 +11,7 @@
 //! ```
 
 mod bvh;
+mod convex_parts;
 mod dump;
 mod graph;
 mod inside;
@@ -30,6 +31,7 @@ pub use solid::Scratch;
 
 // What `compile` fills in.
 pub(crate) use super::handle::{AppearanceId, GroupId, InstanceId, NodeId, PlacementId, PrimitiveId};
+pub(crate) use convex_parts::of_solid as convex_parts;
 pub(crate) use graph::{
     Appearance, Group, GroupBuilder, Instance, Item, ItemKind, Node, NodeKind, Operation, Parent, Placement, Primitive,
     RayMask, padded,

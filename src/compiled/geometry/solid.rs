@@ -10,7 +10,7 @@
 use super::Geometry;
 use super::graph::{Node, NodeKind, Operation, RayMask};
 use super::record::RayKind;
-use super::shape::{Primitive as _, Shape, ShapeHits};
+use super::shape::{Primitive as _, Shape, ShapeHit, ShapeHits};
 use super::slab::SlabRay;
 use super::span::Confines;
 use super::walk::LastShadow;
@@ -261,7 +261,7 @@ impl Search<'_> {
 }
 
 impl Geometry {
-    /// The nearest surviving crossing of a solid, or any.
+    /// The nearest surviving crossing of a solid, or any, with its primitive.
     pub(super) fn solid_nearest(
         &self,
         root: NodeId,
@@ -270,12 +270,21 @@ impl Geometry {
         kind: RayKind,
         any: bool,
         scratch: &mut Scratch,
-    ) -> Option<Crossing> {
+    ) -> Option<(ShapeHit, PrimitiveId)> {
+        let (node, ray) = (&self.nodes[root], &SlabRay::new(ray));
+        if !node.convex_parts.is_empty() {
+            if !ray.may_meet(&node.bounds, range) {
+                return None;
+            }
+            if let Ok(nearest) = self.nearest_of_convex_parts(&node.convex_parts, ray.ray, range, &mut scratch.hits) {
+                return nearest;
+            }
+        }
         scratch.covers.clear();
-        let mut search = Search { geometry: self, ray: &SlabRay::new(ray), kind, any, best: None, scratch };
+        let mut search = Search { geometry: self, ray, kind, any, best: None, scratch };
         // What a file says about bounds is about whole objects.
         search.node(root, range, true);
-        search.best
+        search.best.map(|Crossing { t, primitive, part, .. }| (ShapeHit { t, part }, primitive))
     }
 
     /// Whether the first of two equally near crossings of a solid is seen.
@@ -299,7 +308,7 @@ impl Geometry {
     fn is_quick(&self, node: NodeId) -> bool {
         let node = &self.nodes[node];
         match &node.kind {
-            NodeKind::Primitive(p) if node.clips.is_empty() && node.bounded_by.is_empty() => {
+            NodeKind::Primitive(p) if node.is_bare() => {
                 let primitive = &self.primitives[*p];
                 primitive.group_from_local.is_none() && primitive.shape.is_quick()
             }

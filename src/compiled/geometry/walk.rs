@@ -218,8 +218,8 @@ impl<'a, S: Search> Walk<'a, S> {
     #[inline(never)]
     fn solid(&mut self, root: NodeId, ray: &Ray) -> ControlFlow<()> {
         match self.geometry.solid_nearest(root, ray, self.range, self.kind, S::ANY, self.scratch) {
-            Some(c) => {
-                S::record(self, Found { t: c.t, primitive: c.primitive, part: c.part, owner: Owner::Solid(root) })
+            Some((hit, primitive)) => {
+                S::record(self, Found { t: hit.t, primitive, part: hit.part, owner: Owner::Solid(root) })
             }
             None => ControlFlow::Continue(()),
         }

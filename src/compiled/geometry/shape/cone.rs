@@ -76,11 +76,17 @@ impl Primitive for Cone {
             {
                 roots = Some([first, f64::INFINITY]);
             }
+            let mut on_side = 0;
             for s in roots.into_iter().flatten() {
                 let z = o.z + s * d.z;
                 if self.low() <= z && z <= 1.0 {
                     record(s, SIDE);
+                    on_side += 1;
                 }
+            }
+            // A line that passes by the side, or goes through it twice, meets no cap.
+            if self.is_convex() && (roots.is_none() || on_side == 2) {
+                return;
             }
         }
         if !self.open && d.z != 0.0 {
@@ -95,6 +101,10 @@ impl Primitive for Cone {
 
     fn is_convex(&self) -> bool {
         !self.open && self.low() >= 0.0
+    }
+
+    fn is_chordal(&self) -> bool {
+        self.is_convex()
     }
 
     fn contains(&self, p: DVec3) -> bool {

@@ -120,6 +120,10 @@ impl Primitive for Cuboid {
         true
     }
 
+    fn is_chordal(&self) -> bool {
+        true
+    }
+
     fn is_quick(&self) -> bool {
         true
     }

@@ -137,6 +137,11 @@ pub(crate) trait Primitive {
         false
     }
 
+    /// Whether that holds, and both crossings of a line are found together.
+    fn is_chordal(&self) -> bool {
+        false
+    }
+
     /// Whether there is any crossing.
     fn occluded(&self, ray: &Ray, range: Range) -> bool {
         self.intersect(ray, range).is_some()
@@ -190,6 +195,9 @@ macro_rules! shapes {
             }
             fn is_convex(&self) -> bool {
                 match self { $(Self::$name(s) => s.is_convex(),)* }
+            }
+            fn is_chordal(&self) -> bool {
+                match self { $(Self::$name(s) => s.is_chordal(),)* }
             }
         }
     };
@@ -254,6 +262,9 @@ impl<P: Primitive> Primitive for Box<P> {
     }
     fn is_convex(&self) -> bool {
         (**self).is_convex()
+    }
+    fn is_chordal(&self) -> bool {
+        (**self).is_chordal()
     }
 }
 

@@ -19,6 +19,17 @@ impl Plane {
     fn height(&self, p: DVec3) -> f64 {
         self.normal.dot(p) - self.distance
     }
+
+    /// Where a line passes through, how far around that the boundary and rounding reach, and whether it goes inside
+    /// there; `None` for lines along the plane.
+    pub(crate) fn passage(&self, ray: &Ray) -> Option<(f64, f64, bool)> {
+        let (height, slope) = (self.height(ray.origin), self.normal.dot(ray.direction));
+        let t = -height / slope;
+        let reach = ray.origin.abs().max_element() + t.abs() * ray.direction.abs().max_element() + self.distance.abs();
+        // Twice as thick as the boundary is at most.
+        let margin = (2.0 * PLANE_BOUNDARY * reach.max(1.0) + gamma(64) * reach) / slope.abs();
+        (t.is_finite() && margin.is_finite()).then_some((t, margin, slope < 0.0))
+    }
 }
 
 impl Primitive for Plane {

@@ -137,6 +137,15 @@ impl Primitive for Quadric {
         true
     }
 
+    /// Without mixed products, squares that are not negative are a sum that is not, however it rounds.
+    fn is_convex(&self) -> bool {
+        self.products == DVec3::ZERO && self.squares.min_element() >= 0.0
+    }
+
+    fn is_chordal(&self) -> bool {
+        self.is_convex()
+    }
+
     fn surface(&self, ray: &Ray, t: f64, _part: u32) -> LocalSurface {
         let (point, error, gradient) =
             super::onto_surface(ray.at(t), |p| (self.value(p), self.gradient(p), self.magnitudes().value(p.abs())));

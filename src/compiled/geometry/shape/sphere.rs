@@ -83,6 +83,10 @@ impl Primitive for Sphere {
         true
     }
 
+    fn is_chordal(&self) -> bool {
+        true
+    }
+
     fn is_quick(&self) -> bool {
         true
     }
