@@ -1,6 +1,9 @@
 //! Shapes with flat sides, and solids made of others.
 
-use super::{Case, Field, check, length};
+use super::{Case, Field, Random, check, compile_object, length, written};
+use crate::compiled::geometry::{Geometry, NodeId, RayKind, Scratch};
+use crate::math::{DVec3, Range, Ray};
+use std::sync::Arc;
 
 #[test]
 fn flat_shapes() {
@@ -41,4 +44,47 @@ fn constructed_solids() {
     check(&Case::solid("difference of a merge", drilled).field(field));
     let clipped = "sphere { 0, 1 clipped_by { plane { y, .3 } } }";
     check(&Case::sheet("clipped sphere", clipped).field(|p| p.length() - 1.0));
+}
+
+/// Solids of random convex parts, coincident faces among them: stretches and inside tests find the same hits.
+#[test]
+fn stretches_say_what_inside_tests_say() {
+    let mut random = Random(7);
+    let (mut n_hits, mut n_solids) = (0, 0);
+    for _ in 0..400 {
+        let part = |random: &mut Random| {
+            let (a, b) = (random.direction(), random.direction() * (0.4 + random.unit()));
+            let shape = match (random.unit() * 6.0) as u32 {
+                0 => format!("sphere {{ <{}, {}, {}>, {} }}", 0.4 * b.x, 0.4 * b.y, 0.4 * b.z, 0.4 + random.unit()),
+                1 => "box { -.8, .8 }".to_owned(),
+                2 => format!("cylinder {{ -y, y, {} }}", 0.3 + random.unit()),
+                3 => format!("cone {{ -y, {}, y, {} }}", random.unit(), random.unit()),
+                4 => format!("quadric {{ <1, 0, {}>, 0, 0, -{} }}", 0.5 + random.unit(), random.unit()),
+                _ => format!("plane {{ <{}, {}, {}>, {} }}", a.x, a.y, a.z, random.unit()),
+            };
+            // Some stay where others are.
+            let turn = if random.unit() < 0.5 { a * 180.0 } else { DVec3::ZERO };
+            format!("object {{ {shape} rotate <{}, {}, {}> }} ", turn.x, turn.y, turn.z)
+        };
+        let operation = if random.unit() < 0.5 { "difference" } else { "intersection" };
+        let parts: String = (0..2 + (random.unit() * 3.0) as usize).map(|_| part(&mut random)).collect();
+        let solid = Arc::new(written(&format!("{operation} {{ {parts} pigment {{ rgb 1 }} }}")));
+        let [by_stretches, mut by_points] = [(); 2].map(|()| compile_object(&solid).unwrap());
+        for id in by_points.nodes.handles_from(NodeId::default()).collect::<Vec<_>>() {
+            n_solids += usize::from(!by_points.nodes[id].convex_parts.is_empty());
+            by_points.nodes[id].convex_parts = Box::default();
+        }
+        for _ in 0..100 {
+            let (origin, target) = (random.direction() * random.unit() * 4.0, random.direction() * random.unit());
+            let ray = Ray::new(origin, (target - origin).normalize());
+            let hit = |geometry: &Geometry| {
+                let hit = geometry.intersect(&ray, Range::FORWARD, RayKind::Camera, &mut Scratch::default());
+                hit.map(|hit| (hit.t, hit.primitive, hit.part))
+            };
+            let found = hit(&by_stretches);
+            assert_eq!(found, hit(&by_points), "{operation} {{ {parts} }} {ray:?}");
+            n_hits += usize::from(found.is_some());
+        }
+    }
+    assert!(n_solids > 200 && n_hits > 5_000, "{n_solids} {n_hits}");
 }
