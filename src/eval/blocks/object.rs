@@ -36,10 +36,11 @@ impl Evaluator<'_> {
     fn object_in_braces(&mut self) -> SourceResult<Option<Object>> {
         let Some(keyword) = self.keyword()?.filter(|keyword| is_object_keyword(*keyword)) else { return Ok(None) };
         let span = self.next()?.span;
+        let origin = self.origin(span);
         let word = keyword.word();
         self.count_object(span)?;
         self.open(word)?;
-        let mut object = self.object_start(keyword, span)?;
+        let mut object = self.object_start(keyword, span, origin)?;
         self.object_modifiers(&mut object)?;
         self.close_as(&MODIFIERS, word)?;
         self.check_object(&mut object, span)?;
@@ -47,7 +48,7 @@ impl Evaluator<'_> {
     }
 
     /// What stands first inside an object's braces: another object to copy, or the shape.
-    fn object_start(&mut self, keyword: K, span: Span) -> SourceResult<Object> {
+    fn object_start(&mut self, keyword: K, span: Span, origin: Span) -> SourceResult<Object> {
         let csg = csg_operation(keyword);
         let name = self.name_ahead()?;
         let known = if keyword == K::LightGroup { None } else { self.declared_object()? };
@@ -56,7 +57,7 @@ impl Evaluator<'_> {
             let children = self.csg_children(first.as_ref().map(|(_, object)| object.clone()))?;
             // One identifier alone is a copy of that object, whatever the keyword.
             if let (Some((name, object)), [_]) = (first, &children[..]) {
-                return Ok(copy_of(&object, name, span));
+                return Ok(copy_of(&object, name, origin));
             }
             if children.len() < 2 && self.version >= 150 {
                 self.warn_once(Topic::Geometry, span, "a CSG object should have at least two children");
@@ -66,10 +67,10 @@ impl Evaluator<'_> {
                 let message = "a part of this has no inside (a mesh without inside_vector, a triangle, a patch)";
                 self.warn_here(Topic::Geometry, span, message);
             }
-            return Ok(Object::new(Shape::Csg { operation, children: children.into() }, span));
+            return Ok(Object::new(Shape::Csg { operation, children: children.into() }, origin));
         }
         if let Some((name, object)) = first {
-            return Ok(copy_of(&object, name, span));
+            return Ok(copy_of(&object, name, origin));
         }
         match keyword {
             K::Object => match self.object()? {
@@ -77,11 +78,11 @@ impl Evaluator<'_> {
                 None => self.expected("an object"),
             },
             K::LightGroup => {
-                let mut group = Object::new(Shape::LightGroup { children: Arc::new([]), global_lights: false }, span);
+                let mut group = Object::new(Shape::LightGroup { children: Arc::new([]), global_lights: false }, origin);
                 self.light_group(&mut group)?;
                 Ok(group)
             }
-            _ => Ok(Object::new(self.shape(keyword, span)?, span)),
+            _ => Ok(Object::new(self.shape(keyword, span)?, origin)),
         }
     }
 

@@ -5,6 +5,7 @@ mod lights;
 mod meshes;
 mod number;
 mod objects;
+mod origins;
 mod patterns;
 mod shapes;
 mod surroundings;
