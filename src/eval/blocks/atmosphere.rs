@@ -9,8 +9,9 @@ use crate::scene::{Background, Blend, Fog, Pattern, PatternKind, Pigment, Pigmen
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
-pub(super) static FOG: Block<Fog> = Block::moved(
+pub(super) static FOG: Block<Fog> = Block::<Fog>::moved(
     "fog",
+    "haze that hides what is far away",
     |_, fog, transform| fog.up = transform.vector(fog.up).normalize_or(DVec3::Y),
     &[
         Item::new(
@@ -45,10 +46,12 @@ pub(super) static FOG: Block<Fog> = Block::moved(
         ),
         Item::new(K::TurbDepth, Takes::Float(|f| &mut f.turb_depth), "0.5", "where along the ray turbulence is taken"),
     ],
-);
+)
+.with(&[&TURBULENCE]);
 
 pub(super) static RAINBOW: Block<Rainbow> = Block::new(
     "rainbow",
+    "a bow in the sky",
     &[
         Item::new(K::Direction, Takes::Vector(|r| &mut r.direction), "", "where light comes from, as seen by the bow"),
         Item::new(K::Up, Takes::Vector(|r| &mut r.up), "y", "to the top of the bow"),

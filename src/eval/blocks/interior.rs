@@ -15,6 +15,7 @@ const VERSION_WITH_MEDIA_METHOD_3: u32 = 350;
 
 pub(super) static INTERIOR: Block<Interior> = Block::moved(
     "interior",
+    "what a solid is filled with",
     |_, interior, transform| interior.apply(transform),
     &[
         Item::new(K::Ior, Takes::Float(|i| &mut i.ior), "", "how strongly light is bent; 1.5 for glass"),
@@ -63,6 +64,7 @@ pub(super) static INTERIOR: Block<Interior> = Block::moved(
 
 pub(super) static MEDIA: Block<Media> = Block::moved(
     "media",
+    "dust, smoke and fire",
     |_, media, transform| media.apply(transform),
     &[
         Item::new(K::Absorption, Takes::Rgb(|m| &mut m.absorption), "0", "light that is lost on a way of one unit"),

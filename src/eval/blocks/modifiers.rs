@@ -18,6 +18,7 @@ enum Shaped {
 /// They end with the brace of the object, whatever its word.
 pub(super) static MODIFIERS: Block<Object> = Block::moved(
     "object",
+    "what any object takes behind its shape",
     |_, object, transform| object.apply(transform),
     &[
         Item::new(
@@ -210,6 +211,7 @@ pub(super) static MODIFIERS: Block<Object> = Block::moved(
 
 pub(super) static PHOTONS: Block<PhotonFlags> = Block::new(
     "photons",
+    "in an object or light: what photons do there",
     &[
         Item::new(
             K::Target,

@@ -1,8 +1,10 @@
-//! Objects: which keyword makes which shape.
+//! Objects: copies, compounds and shapes, with what stands in their braces.
 
-use super::modifiers::MODIFIERS;
+use super::object_words::{OBJECTS, words_in};
+use super::table::Word;
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
+use crate::math::DVec3;
 use crate::scene::{CsgOperation, Object, PlacedTexture, Shape, Texture};
 use crate::stack::roomy;
 use crate::syntax::{Keyword as K, TokenKind};
@@ -34,7 +36,7 @@ impl Evaluator<'_> {
     }
 
     fn object_in_braces(&mut self) -> SourceResult<Option<Object>> {
-        let Some(keyword) = self.keyword()?.filter(|keyword| is_object_keyword(*keyword)) else { return Ok(None) };
+        let Some(keyword) = self.keyword()?.filter(|keyword| OBJECTS.knows(*keyword)) else { return Ok(None) };
         let span = self.next()?.span;
         let origin = self.origin(span);
         let word = keyword.word();
@@ -42,7 +44,7 @@ impl Evaluator<'_> {
         self.open(word)?;
         let mut object = self.object_start(keyword, span, origin)?;
         self.object_modifiers(&mut object)?;
-        self.close_as(&MODIFIERS, word)?;
+        self.close_in(keyword)?;
         self.check_object(&mut object, span)?;
         Ok(Some(object))
     }
@@ -82,7 +84,12 @@ impl Evaluator<'_> {
                 self.light_group(&mut group)?;
                 Ok(group)
             }
-            _ => Ok(Object::new(self.shape(keyword, span)?, origin)),
+            word => {
+                // Any shape will do: each of these words makes one as a whole.
+                let mut shape = Shape::Sphere { center: DVec3::ZERO, radius: 1.0 };
+                self.item_behind(&OBJECTS, &mut shape, Word { word, span })?;
+                Ok(Object::new(shape, origin))
+            }
         }
     }
 
@@ -101,6 +108,15 @@ impl Evaluator<'_> {
             self.comma()?;
         }
         Ok(children)
+    }
+
+    /// Takes the brace that ends an object, or says what that takes.
+    fn close_in(&mut self, keyword: K) -> SourceResult<()> {
+        if !self.accept_punct('}')? {
+            return self.expected_in(words_in(keyword), &format!("'}}' to close {}", keyword.word()));
+        }
+        self.budget.shallower();
+        Ok(())
     }
 
     /// Rules that hold once the whole block is read.
@@ -143,44 +159,4 @@ fn csg_operation(keyword: K) -> Option<CsgOperation> {
         K::Difference => CsgOperation::Difference,
         _ => return None,
     })
-}
-
-pub(in crate::eval) fn is_object_keyword(keyword: K) -> bool {
-    csg_operation(keyword).is_some()
-        || matches!(
-            keyword,
-            K::BicubicPatch
-                | K::Blob
-                | K::Box
-                | K::Cone
-                | K::Cubic
-                | K::Cylinder
-                | K::Disc
-                | K::HeightField
-                | K::Isosurface
-                | K::JuliaFractal
-                | K::Lathe
-                | K::LightGroup
-                | K::LightSource
-                | K::Mesh
-                | K::Mesh2
-                | K::Object
-                | K::Ovus
-                | K::Parametric
-                | K::Plane
-                | K::Poly
-                | K::Polygon
-                | K::Polynomial
-                | K::Prism
-                | K::Quadric
-                | K::Quartic
-                | K::SmoothTriangle
-                | K::Sor
-                | K::Sphere
-                | K::SphereSweep
-                | K::Superellipsoid
-                | K::Text
-                | K::Torus
-                | K::Triangle
-        )
 }

@@ -10,6 +10,7 @@ use crate::syntax::Keyword as K;
 /// Modifiers of any pattern; beside them there are [`TURBULENCE`] and what belongs to one kind of pattern.
 pub(super) static MODIFIERS: Block<Pattern> = Block::moved(
     "pattern",
+    "what any pattern takes",
     |_, pattern, transform| pattern.apply(transform),
     &[
         Item::new(K::Frequency, Takes::Single(|p| &mut p.frequency), "", "how often its map is gone through"),
@@ -61,6 +62,7 @@ pub(super) static MODIFIERS: Block<Pattern> = Block::moved(
 /// How points are displaced at random.
 pub(super) static TURBULENCE: Block<Option<Turbulence>> = Block::new(
     "turbulence",
+    "how points are displaced at random",
     &[
         Item::new(
             K::Turbulence,

@@ -1,12 +1,14 @@
 //! Blocks as tables: which words they take, with what behind each, its default, since when, and what it does.
 //!
 //! A table reads the block, says what else could have stood there, and is what documentation and completion are made of
-//! ([`described`](super::described)).
+//! ([`described`](super::described)). What has no word but its place (the centre of a sphere) stands in what the block's own
+//! word takes; words that several blocks have in common are a table that is [part](Block::with) of theirs.
 //!
 //! ```text
-//! static FOG: Block<Fog> = Block::new("fog", &[
+//! static FOG: Block<Fog> = Block::<Fog>::new("fog", "haze that hides what is far away", &[
 //!     Item::new(K::Distance, Takes::Float(|fog| &mut fog.distance), "0", "how far one sees"),
-//! ]);
+//! ])
+//! .with(&[&TURBULENCE]);
 //! while evaluator.item_of(&FOG, &mut fog)? {}
 //! evaluator.close_of(&FOG)
 //! ```
@@ -20,11 +22,14 @@ use crate::syntax::{Keyword, TokenKind};
 pub(in crate::eval) struct Block<T: 'static> {
     /// The word before its brace, as messages call it.
     name: &'static str,
+    help: &'static str,
     items: &'static [Item<T>],
     /// For each keyword the number of its item, counted from 1.
     numbers: [u8; Keyword::ALL.len()],
     /// What a transformation does to it, if it takes any.
     moves: Option<Move<T>>,
+    /// What else it takes, which other tables read.
+    parts: &'static [&'static dyn Table],
 }
 
 /// Moves what a block makes.
@@ -57,6 +62,8 @@ pub(super) enum Takes<T> {
     Amount(fn(&mut T) -> &mut f32),
     /// Nothing.
     Nothing(fn(&mut T)),
+    /// What makes all of the target, in the manual's words.
+    Whole(&'static str, fn(&mut Evaluator<'_>, Word) -> SourceResult<T>),
     /// Something else, in the manual's words.
     Other(&'static str, Read<T>),
 }
@@ -107,7 +114,7 @@ impl<T> Item<T> {
             Takes::Switch(_) => "[BOOL]",
             Takes::Amount(_) => "[FLOAT]",
             Takes::Nothing(_) => "",
-            Takes::Other(takes, _) => takes,
+            Takes::Whole(takes, _) | Takes::Other(takes, _) => takes,
         };
         Described { word: self.word.word(), takes, default: self.default, since: self.since, help: self.help }
     }
@@ -115,7 +122,7 @@ impl<T> Item<T> {
 
 impl<T> Block<T> {
     /// Of these words.
-    pub(super) const fn new(name: &'static str, items: &'static [Item<T>]) -> Self {
+    pub(super) const fn new(name: &'static str, help: &'static str, items: &'static [Item<T>]) -> Self {
         let mut numbers = [0; Keyword::ALL.len()];
         let mut i = 0;
         while i < items.len() {
@@ -126,12 +133,28 @@ impl<T> Block<T> {
             }
             i += 1;
         }
-        Self { name, items, numbers, moves: None }
+        Self { name, help, items, numbers, moves: None, parts: &[] }
     }
 
     /// Of these words and transformations.
-    pub(super) const fn moved(name: &'static str, moves: Move<T>, items: &'static [Item<T>]) -> Self {
-        Self { moves: Some(moves), ..Self::new(name, items) }
+    pub(super) const fn moved(
+        name: &'static str,
+        help: &'static str,
+        moves: Move<T>,
+        items: &'static [Item<T>],
+    ) -> Self {
+        Self { moves: Some(moves), ..Self::new(name, help, items) }
+    }
+
+    /// The same with words that are in other tables.
+    pub(super) const fn with(self, parts: &'static [&'static dyn Table]) -> Self {
+        Self { parts, ..self }
+    }
+
+    /// Whether this is one of its own words.
+    #[inline]
+    pub(super) fn knows(&self, word: Keyword) -> bool {
+        self.numbers[word as usize] != 0
     }
 
     #[inline]
@@ -154,6 +177,32 @@ pub struct Described {
     pub since: u32,
     /// What it does, in one line.
     pub help: &'static str,
+}
+
+/// A block of the language, for people.
+#[derive(Clone, Debug)]
+pub struct DescribedBlock {
+    /// The word before its brace.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub help: &'static str,
+    /// Its own words.
+    pub words: Vec<Described>,
+    /// What it takes as other blocks do.
+    pub parts: Vec<Self>,
+}
+
+impl DescribedBlock {
+    pub(super) fn of(table: &dyn Table) -> Self {
+        let parts = table.parts().iter().map(|part| Self::of(*part)).collect();
+        Self { name: table.name(), help: table.help(), words: table.own_words(), parts }
+    }
+
+    /// All of its words.
+    pub fn all_words(&self) -> Vec<Described> {
+        let of_parts = self.parts.iter().flat_map(Self::all_words);
+        self.words.iter().copied().chain(of_parts).collect()
+    }
 }
 
 /// Words that every block takes which can be moved.
@@ -187,8 +236,18 @@ const TRANSFORMATIONS: &[Described] = &[
 pub(in crate::eval) trait Table: Sync {
     /// The word before its brace.
     fn name(&self) -> &'static str;
-    /// Its words, in the order of the table.
-    fn words(&self) -> Vec<Described>;
+    /// What it is, in one line.
+    fn help(&self) -> &'static str;
+    /// Its own words, in the order of the table.
+    fn own_words(&self) -> Vec<Described>;
+    /// The tables whose words it takes beside these.
+    fn parts(&self) -> &'static [&'static dyn Table];
+
+    /// All of its words.
+    fn words(&self) -> Vec<Described> {
+        let parts = self.parts().iter().flat_map(|part| part.words());
+        self.own_words().into_iter().chain(parts).collect()
+    }
 }
 
 impl<T> Table for Block<T> {
@@ -196,9 +255,17 @@ impl<T> Table for Block<T> {
         self.name
     }
 
-    fn words(&self) -> Vec<Described> {
+    fn help(&self) -> &'static str {
+        self.help
+    }
+
+    fn own_words(&self) -> Vec<Described> {
         let moving = if self.moves.is_some() { TRANSFORMATIONS } else { &[] };
         self.items.iter().map(Item::described).chain(moving.iter().copied()).collect()
+    }
+
+    fn parts(&self) -> &'static [&'static dyn Table] {
+        self.parts
     }
 }
 
@@ -210,10 +277,17 @@ pub(in crate::eval) fn meant_in(table: &dyn Table, word: &str) -> Option<String>
     Some(format!("did you mean '{near}'?"))
 }
 
+/// More words than this are no help in a message.
+const MOST_TOLD: usize = 60;
+
 /// What a block takes.
 pub(in crate::eval) fn words_of(table: &dyn Table) -> String {
     let mut words: Vec<_> = table.words().iter().map(|described| described.word).collect();
     words.sort_unstable();
+    words.dedup();
+    if words.len() > MOST_TOLD {
+        return format!("'whitted language {}' lists what it takes", table.name());
+    }
     format!("{} takes {}", table.name(), words.join(", "))
 }
 
@@ -246,6 +320,7 @@ impl Evaluator<'_> {
             Takes::Switch(field) => *field(target) = self.optional_bool()?,
             Takes::Amount(field) => *field(target) = self.optional_amount()?,
             Takes::Nothing(act) => act(target),
+            Takes::Whole(_, make) => *target = make(self, at)?,
             Takes::Other(_, read) => read(self, target, at)?,
         }
         Ok(())
@@ -266,13 +341,8 @@ impl Evaluator<'_> {
 
     /// Takes the `}` of a block, or says what it takes.
     pub(super) fn close_of<T>(&mut self, block: &Block<T>) -> SourceResult<()> {
-        self.close_as(block, block.name)
-    }
-
-    /// The same for one of several blocks that end in the same words.
-    pub(super) fn close_as<T>(&mut self, block: &Block<T>, name: &str) -> SourceResult<()> {
         if !self.accept_punct('}')? {
-            return self.expected_in(block, &format!("'}}' to close {name}"));
+            return self.expected_in(block, &format!("'}}' to close {}", block.name));
         }
         self.budget.shallower();
         Ok(())
@@ -316,6 +386,7 @@ mod tests {
     /// A block that can be read without anything.
     static LAMP: Block<(f64, bool)> = Block::new(
         "lamp",
+        "a light that can be held",
         &[
             Item::since(350, K::Radius, Takes::Float(|lamp| &mut lamp.0), "1", "how large it is"),
             Item::spelt(K::Colour, K::Color, Takes::Switch(|lamp| &mut lamp.1), "off", "whether it is coloured"),

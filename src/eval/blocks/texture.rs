@@ -11,6 +11,7 @@ use std::sync::Arc;
 /// What a layer is made of.
 pub(super) static LAYER: Block<TextureLayer> = Block::new(
     "texture",
+    "what a layer of a texture is made of",
     &[
         Item::new(
             K::Pigment,
