@@ -86,6 +86,24 @@ pub(super) static RAINBOW: Block<Rainbow> = Block::new(
     ],
 );
 
+pub(super) static SKY_SPHERE: Block<SkySphere> = Block::moved(
+    "sky_sphere",
+    "pigments that are seen where nothing else is",
+    |_, sky, transform| sky.transform = sky.transform.then(transform),
+    &[
+        Item::new(
+            K::Pigment,
+            Takes::Other("{ PIGMENT }", |e, sky, _| {
+                sky.pigments.push(Arc::new(e.pigment_block(Pigment::default())?));
+                Ok(())
+            }),
+            "",
+            "its colours by direction; later ones are seen through by what they let through",
+        ),
+        Item::since(370, K::Emission, Takes::Rgb(|sky| &mut sky.emission), "rgb 1", "factor of its colours"),
+    ],
+);
+
 impl Evaluator<'_> {
     /// `{ COLOUR }` after `background`.
     pub(super) fn background(&mut self) -> SourceResult<Background> {
@@ -107,22 +125,12 @@ impl Evaluator<'_> {
             transform: Transform::IDENTITY,
         });
         sky.span = span;
-        loop {
-            self.comma()?;
-            if let Some(transform) = self.transformation()? {
-                sky.transform = sky.transform.then(&transform);
-            } else if self.accept(K::Pigment)? {
-                sky.pigments.push(Arc::new(self.pigment_block(Pigment::default())?));
-            } else if self.accept(K::Emission)? {
-                sky.emission = self.rgb_only("emission")?;
-            } else {
-                break;
-            }
-        }
+        self.comma()?;
+        self.items_of(&SKY_SPHERE, &mut sky)?;
         if sky.pigments.is_empty() {
             return self.expected("a pigment for the sky_sphere");
         }
-        self.close("sky_sphere")?;
+        self.close_of(&SKY_SPHERE)?;
         Ok(sky)
     }
 

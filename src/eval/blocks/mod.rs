@@ -6,7 +6,9 @@
 mod atmosphere;
 mod blob;
 mod camera;
+mod colors;
 mod defaults;
+mod density;
 mod finish;
 mod function;
 mod global_light;
@@ -36,6 +38,7 @@ mod table;
 mod tests;
 mod text;
 mod texture;
+mod warp;
 
 pub use camera::CameraStatement;
 pub use defaults::Defaults;
@@ -74,21 +77,35 @@ static TABLES: &[&dyn Table] = &[
     &implicit::PARAMETRIC,
     &implicit::CONTAINER,
     &implicit::JULIA_FRACTAL,
+    &texture::TEXTURE,
     &texture::LAYER,
+    &pigment::PIGMENT,
+    &pigment::IMAGE_MAP,
+    &normal::NORMAL,
+    &normal::BUMP_MAP,
     &finish::FINISH,
     &finish::IRID,
     &finish::REFLECTION,
     &finish::SUBSURFACE,
     &image::MAPPING,
+    &colors::COLORS,
+    &pattern::PATTERNS,
     &pattern_modifiers::MODIFIERS,
     &pattern_modifiers::TURBULENCE,
+    &pattern_modifiers::OF_KINDS,
+    &warp::WARP,
+    &warp::BLACK_HOLE,
+    &warp::MAPPING,
     &layers::MATERIAL,
     &interior::INTERIOR,
     &interior::MEDIA,
+    &interior::SCATTERING,
+    &density::DENSITY,
     &modifiers::PHOTONS,
     &camera::CAMERA,
     &atmosphere::FOG,
     &atmosphere::RAINBOW,
+    &atmosphere::SKY_SPHERE,
     &settings::GLOBAL_SETTINGS,
     &global_light::RADIOSITY,
     &global_light::PHOTONS,

@@ -1,0 +1,34 @@
+//! The words of colours, for whoever asks what may stand in a pigment; [`Evaluator::color`] reads them wherever a number may
+//! stand.
+
+use super::table::{Block, Item, Takes};
+use crate::eval::Evaluator;
+use crate::syntax::Keyword as K;
+
+/// A word of a colour.
+const fn color(word: K, takes: &'static str, help: &'static str) -> Item<()> {
+    Item::new(word, Takes::Other(takes, |e: &mut Evaluator<'_>, (), _| e.color().map(drop)), "", help)
+}
+
+pub(super) static COLORS: Block<()> = Block::new(
+    "colours",
+    "how colours are written; a declared name or a vector of five is one, too",
+    &[
+        color(K::Rgb, "VECTOR", "red, green and blue"),
+        color(K::Rgbf, "<4 FLOATS>", "red, green, blue and filter"),
+        color(K::Rgbt, "<4 FLOATS>", "red, green, blue and transmit"),
+        color(K::Rgbft, "<5 FLOATS>", "red, green, blue, filter and transmit"),
+        color(K::Srgb, "VECTOR", "the same as on a screen"),
+        color(K::Srgbf, "<4 FLOATS>", "the same as on a screen, and filter"),
+        color(K::Srgbt, "<4 FLOATS>", "the same as on a screen, and transmit"),
+        color(K::Srgbft, "<5 FLOATS>", "the same as on a screen, filter and transmit"),
+        color(K::Color, "COLOUR", "may stand before any colour"),
+        color(K::Colour, "COLOUR", "may stand before any colour"),
+        color(K::Red, "FLOAT", "one component; also behind a colour"),
+        color(K::Green, "FLOAT", "one component; also behind a colour"),
+        color(K::Blue, "FLOAT", "one component; also behind a colour"),
+        color(K::Filter, "FLOAT", "what is let through coloured; also behind a colour"),
+        color(K::Transmit, "FLOAT", "what is let through as it is; also behind a colour"),
+        color(K::Alpha, "FLOAT", "outdated: filter"),
+    ],
+);
