@@ -36,7 +36,7 @@ const fn compound(word: K, takes: &'static str, help: &'static str) -> Item<Shap
 /// Where the points end, the words of [`MODIFIERS`] and maybe others of the shape follow.
 pub(super) static OBJECTS: Block<Shape> = Block::new(
     "objects",
-    "what there is in a scene to be seen",
+    "what there is to be seen; in the place of … stand its own words and those of object",
     &[
         compound(K::Object, "{ OBJECT … }", "another object, changed"),
         compound(K::Union, "{ OBJECT, … }", "several objects together"),

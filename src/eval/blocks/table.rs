@@ -116,7 +116,8 @@ impl<T> Item<T> {
             Takes::Nothing(_) => "",
             Takes::Whole(takes, _) | Takes::Other(takes, _) => takes,
         };
-        Described { word: self.word.word(), takes, default: self.default, since: self.since, help: self.help }
+        let alias = self.alias.map(Keyword::word);
+        Described { word: self.word.word(), alias, takes, default: self.default, since: self.since, help: self.help }
     }
 }
 
@@ -169,6 +170,8 @@ impl<T> Block<T> {
 pub struct Described {
     /// The word.
     pub word: &'static str,
+    /// Another spelling.
+    pub alias: Option<&'static str>,
     /// What stands behind it, in the words of the manual; brackets around what may be left out.
     pub takes: &'static str,
     /// What holds without it, if that can be written down.
@@ -207,30 +210,16 @@ impl DescribedBlock {
 
 /// Words that every block takes which can be moved.
 const TRANSFORMATIONS: &[Described] = &[
-    Described { word: "translate", takes: "VECTOR", default: "", since: 0, help: "moves it" },
-    Described {
-        word: "rotate",
-        takes: "VECTOR",
-        default: "",
-        since: 0,
-        help: "turns it about x, then y, then z, in degrees",
-    },
-    Described { word: "scale", takes: "VECTOR", default: "", since: 0, help: "stretches it along the axes" },
-    Described {
-        word: "matrix",
-        takes: "<12 FLOATS>",
-        default: "",
-        since: 0,
-        help: "moves it as the images of x, y, z and 0 say",
-    },
-    Described {
-        word: "transform",
-        takes: "{ items }",
-        default: "",
-        since: 0,
-        help: "moves it as several transformations do",
-    },
+    transformation("translate", "VECTOR", "moves it"),
+    transformation("rotate", "VECTOR", "turns it about x, then y, then z, in degrees"),
+    transformation("scale", "VECTOR", "stretches it along the axes"),
+    transformation("matrix", "<12 FLOATS>", "moves it as the images of x, y, z and 0 say"),
+    transformation("transform", "{ items }", "moves it as several transformations do"),
 ];
+
+const fn transformation(word: &'static str, takes: &'static str, help: &'static str) -> Described {
+    Described { word, alias: None, takes, default: "", since: 0, help }
+}
 
 /// A table, whatever it makes.
 pub(in crate::eval) trait Table: Sync {

@@ -122,8 +122,8 @@ pub(super) struct Mapping {
 }
 
 pub(super) static MAPPING: Block<Mapping> = Block::new(
-    "cylindrical, spherical or toroidal warp",
-    "in a warp: how a plane is laid around something",
+    "mapping warp",
+    "behind cylindrical, spherical and toroidal in a warp",
     &[
         Item::since(
             350,
