@@ -22,7 +22,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
     match page(&name) {
         Some(text) => print(&text),
         None => {
-            let blocks: Vec<DescribedBlock> = described().collect();
+            let blocks = all_blocks();
             let words = blocks.iter().flat_map(|block| block.words.iter().map(|word| word.word).chain([block.name]));
             let hint = nearest(&name, words).map_or_else(
                 || "\nhint: 'whitted language' lists the blocks".to_owned(),
@@ -48,7 +48,7 @@ fn contents() -> String {
 /// Blocks of a name, then where that is a word of others.
 fn page(name: &str) -> Option<String> {
     let mut text = String::new();
-    for block in described() {
+    for block in all_blocks() {
         for word in block.words.iter().filter(|word| word.word == name || word.alias == Some(name)) {
             let _ = writeln!(text, "in {} ({}):", block.name, block.help);
             columns(&mut text, &[row(word)]);
@@ -68,6 +68,21 @@ fn page(name: &str) -> Option<String> {
         }
     }
     (!text.is_empty()).then_some(text)
+}
+
+/// The blocks, and the parts of blocks that have no page of their own.
+fn all_blocks() -> Vec<DescribedBlock> {
+    let mut all: Vec<DescribedBlock> = described().collect();
+    let mut i = 0;
+    while i < all.len() {
+        for part in all[i].parts.clone() {
+            if all.iter().all(|known| known.name != part.name) {
+                all.push(part);
+            }
+        }
+        i += 1;
+    }
+    all
 }
 
 /// Begins a new paragraph, if there is one before.
@@ -159,6 +174,16 @@ mod tests {
             page("colour_map").map(|page| page.lines().next().map(str::to_owned)),
             Some(Some("in light_source (a light):".into()))
         );
+        let turned = page("vrotate").unwrap_or_default();
+        assert!(
+            turned.contains("\n  vrotate (VECTOR, VECTOR)  turned about x, then y, then z, in degrees\n"),
+            "{turned}"
+        );
+        assert!(
+            page("functions").is_some_and(|page| page.contains("string functions:") && page.contains("  vstr (N, "))
+        );
+        assert!(page("function").is_some_and(|page| page.contains("  sum (") && !page.contains("vdot")));
+        assert!(page("face_indices").is_some_and(|page| page.starts_with("in faces of a mesh2")));
         assert!(page("mesh2").unwrap_or_default().contains("\n  face_indices {"));
     }
 }

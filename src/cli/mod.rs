@@ -52,7 +52,7 @@ enum Command {
     Trace(trace::Arguments),
     /// Tell how much two EXR pictures differ
     Compare(compare::Arguments),
-    /// List the blocks of the scene language and what each takes
+    /// List blocks and functions of the scene language, or what one takes
     Language(language::Arguments),
     /// Measure error against run time on ladders of settings, and show it on a page
     Report(report::Arguments),

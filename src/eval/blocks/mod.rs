@@ -11,6 +11,7 @@ mod defaults;
 mod density;
 mod finish;
 mod function;
+mod functions;
 mod global_light;
 mod image;
 mod implicit;
@@ -110,6 +111,8 @@ static TABLES: &[&dyn Table] = &[
     &global_light::RADIOSITY,
     &global_light::PHOTONS,
     &global_light::SUBSURFACE,
+    &functions::ALL,
+    &functions::IN_FUNCTIONS,
 ];
 
 /// All tables that stand for themselves.

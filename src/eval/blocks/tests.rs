@@ -3,6 +3,8 @@
 use super::described;
 use crate::eval::{Memory, NoQueries, Options, evaluate};
 use crate::scene::Scene;
+use crate::syntax::Keyword;
+use crate::syntax::built_in::{BuiltIn, Place, Takes};
 use std::collections::BTreeSet;
 
 /// What a scene is, or its first error.
@@ -81,6 +83,27 @@ fn defaults_of_shapes_and_textures_are_what_holds_without_them() {
     defaults_hold("black_hole", &warped("black_hole 0, 1"), "} } }", texture);
     defaults_hold("mapping warp", &warped("toroidal"), "} } }", texture);
     defaults_hold("normal", "sphere { 0, 1 normal { bumps", "} }", texture);
+}
+
+/// A function of one number or two is the same whoever reads it.
+#[test]
+fn functions_calculate_as_values_do() {
+    let mut n_same = 0;
+    for built_in in BuiltIn::all().iter().filter(|built_in| built_in.place == Place::Both) {
+        let arguments = match (built_in.word, built_in.takes) {
+            (Keyword::Acosh, _) => "(1.75)",
+            (_, Takes::Float) => "(0.75)",
+            (_, Takes::TwoFloats | Takes::Floats) => "(7.5, 2.25)",
+            (_, Takes::Choice) => "(7.5, 2.25, 1, 3)",
+            (_, Takes::Number(_) | Takes::State) => "",
+            _ => continue,
+        };
+        let call = format!("{}{arguments}", built_in.word.word());
+        let scene = format!("#declare F = function(x) {{ {call} }} #if (F(0) != {call}) #error \"not the same\" #end");
+        assert_eq!(read(&scene).err(), None, "{call}");
+        n_same += 1;
+    }
+    assert!(n_same > 25, "{n_same}");
 }
 
 /// The hint of a scene's only error.

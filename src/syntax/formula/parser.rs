@@ -1,6 +1,7 @@
 //! From tokens to a tree.
 
 use super::{Demand, Formula, List, MAX_PLAIN, MAX_STACK, MacroCall, Node, NodeId, Operand, OperandId};
+use crate::syntax::built_in::{BuiltIn, Gives, Takes};
 use crate::syntax::expression::{Build, Choose, Language, Operator, Strength, chain, component, expression};
 use crate::syntax::vectors::read_vector;
 use crate::syntax::{Directive, Keyword, Symbol, Token, TokenKind};
@@ -396,27 +397,29 @@ impl Parser<'_> {
         Some((self.parent(Node::Vector(list), items[0]), Width::Vector))
     }
 
+    /// Other functions than these are better read token by token: they have effects, or take what no tree holds.
     fn built_in(&mut self, word: Keyword, token: u16) -> Parsed {
-        use Keyword as K;
-        if let Some(node) = constant(word) {
-            let width = if matches!(node, Node::Constant(_)) { Width::Float } else { Width::Vector };
-            return Some((self.leaf(node), width));
-        }
-        if let Some((n_vectors, n_floats, width)) = vector_call(word) {
-            let skip = self.skip();
-            let arguments = self.vector_arguments(n_vectors, n_floats)?;
-            return Some((self.skipped_to(Node::VectorCall(word, arguments, token), skip), width));
-        }
-        let arguments = match word {
-            K::Pow | K::Atan2 | K::Div | K::Mod => self.arguments().filter(|a| a.n == 2)?,
-            K::Max | K::Min => self.arguments()?,
-            K::Select => self.arguments().filter(|a| a.n == 3 || a.n == 4)?,
-            word if takes_one_float(word) => {
+        let built_in = BuiltIn::in_values(word)?;
+        let arguments = match built_in.takes {
+            Takes::Number(value) => return Some((self.leaf(Node::Constant(value)), Width::Float)),
+            Takes::Axis([x, y, z, _], n @ ..=3) => {
+                return Some((self.leaf(Node::Axes([x, y, z], n)), Width::Vector));
+            }
+            Takes::Vectors(n_vectors, n_floats) => {
+                let skip = self.skip();
+                let arguments = self.vector_arguments(n_vectors, n_floats)?;
+                let width = if built_in.gives == Gives::Float { Width::Float } else { Width::Vector };
+                return Some((self.skipped_to(Node::VectorCall(word, arguments, token), skip), width));
+            }
+            Takes::Float => {
                 self.accept('(').then_some(())?;
                 let argument = self.float(Self::full)?;
                 self.accept(')').then(|| self.list(&[argument]))?
             }
-            _ => return None,
+            Takes::TwoFloats => self.arguments().filter(|a| a.n == 2)?,
+            Takes::Floats => self.arguments()?,
+            Takes::Choice => self.arguments().filter(|a| a.n == 3 || a.n == 4)?,
+            Takes::Axis(..) | Takes::State | Takes::Other(_) => return None,
         };
         let first = self.formula.lists[usize::from(arguments.start)];
         Some((self.parent(Node::Call(word, arguments, token), first), Width::Float))
@@ -486,62 +489,4 @@ impl Choose for Parser<'_> {
         let (no, b) = self.full().ok_or(NotWhole)?;
         Ok((self.parent(Node::Choice(condition, yes, no), condition), a.with(b)))
     }
-}
-
-/// The value of a word that stands for a number or an axis.
-fn constant(word: Keyword) -> Option<Node> {
-    Some(match word {
-        Keyword::Pi => Node::Constant(std::f64::consts::PI),
-        Keyword::True | Keyword::Yes | Keyword::On => Node::Constant(1.0),
-        Keyword::False | Keyword::No | Keyword::Off => Node::Constant(0.0),
-        Keyword::X => Node::Axes([1.0, 0.0, 0.0], 3),
-        Keyword::Y => Node::Axes([0.0, 1.0, 0.0], 3),
-        Keyword::Z => Node::Axes([0.0, 0.0, 1.0], 3),
-        Keyword::U => Node::Axes([1.0, 0.0, 0.0], 2),
-        Keyword::V => Node::Axes([0.0, 1.0, 0.0], 2),
-        _ => return None,
-    })
-}
-
-/// How many vectors, and then floats, a function takes, and what it gives.
-fn vector_call(word: Keyword) -> Option<(usize, usize, Width)> {
-    Some(match word {
-        Keyword::Vnormalize => (1, 0, Width::Vector),
-        Keyword::Vcross | Keyword::Vrotate => (2, 0, Width::Vector),
-        Keyword::VaxisRotate => (2, 1, Width::Vector),
-        Keyword::Vlength => (1, 0, Width::Float),
-        Keyword::Vdot => (2, 0, Width::Float),
-        _ => return None,
-    })
-}
-
-/// Functions of one full expression that have no other effect than on `rand`'s streams.
-fn takes_one_float(word: Keyword) -> bool {
-    use Keyword as K;
-    matches!(
-        word,
-        K::Abs
-            | K::Ceil
-            | K::Floor
-            | K::Cos
-            | K::Sin
-            | K::Tan
-            | K::Atan
-            | K::Sinh
-            | K::Cosh
-            | K::Tanh
-            | K::Asinh
-            | K::Acosh
-            | K::Atanh
-            | K::Exp
-            | K::Int
-            | K::Degrees
-            | K::Radians
-            | K::Rand
-            | K::Acos
-            | K::Asin
-            | K::Ln
-            | K::Log
-            | K::Sqrt
-    )
 }
