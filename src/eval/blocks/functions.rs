@@ -1,6 +1,6 @@
 //! Built-in functions as tables, for whoever asks what there is; [`crate::syntax::built_in`] is what readers go by.
 
-use super::table::{Described, Table};
+use super::described::{Described, Table};
 use crate::syntax::built_in::{BuiltIn, Gives, Place};
 
 /// Some of the built-in functions.

@@ -6,9 +6,11 @@
 mod atmosphere;
 mod blob;
 mod camera;
+mod clips;
 mod colors;
 mod defaults;
 mod density;
+mod described;
 mod finish;
 mod function;
 mod functions;
@@ -29,6 +31,7 @@ mod outline;
 mod patch;
 mod pattern;
 mod pattern_modifiers;
+mod photon_flags;
 mod pigment;
 mod scene_level;
 mod settings;
@@ -43,10 +46,10 @@ mod warp;
 
 pub use camera::CameraStatement;
 pub use defaults::Defaults;
+pub use described::{Described, DescribedBlock};
+pub(super) use described::{Table, with_words};
 pub use layers::Material;
 pub(super) use object_words::is_object_keyword;
-pub use table::{Described, DescribedBlock};
-pub(super) use table::{Table, with_words};
 
 use super::{Evaluator, Value};
 use crate::diag::SourceResult;
@@ -102,7 +105,7 @@ static TABLES: &[&dyn Table] = &[
     &interior::MEDIA,
     &interior::SCATTERING,
     &density::DENSITY,
-    &modifiers::PHOTONS,
+    &photon_flags::PHOTONS,
     &camera::CAMERA,
     &atmosphere::FOG,
     &atmosphere::RAINBOW,

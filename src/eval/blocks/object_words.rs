@@ -1,7 +1,8 @@
 //! The words that begin objects, each with what stands in its braces.
 
+use super::described::Table;
 use super::modifiers::MODIFIERS;
-use super::table::{Block, Item, Table, Takes, Word};
+use super::table::{Block, Item, Takes, Word};
 use super::tables;
 use crate::diag::SourceResult;
 use crate::eval::Evaluator;
