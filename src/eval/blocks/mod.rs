@@ -98,6 +98,7 @@ static TABLES: &[&dyn Table] = &[
     &pattern_modifiers::TURBULENCE,
     &pattern_modifiers::OF_KINDS,
     &warp::WARP,
+    &warp::REPEAT,
     &warp::BLACK_HOLE,
     &warp::MAPPING,
     &layers::MATERIAL,

@@ -81,6 +81,7 @@ fn defaults_of_shapes_and_textures_are_what_holds_without_them() {
     let texture = |scene: &Scene| format!("{:?}", scene.objects[0].texture);
     let warped = |warp: &str| format!("sphere {{ 0, 1 pigment {{ bozo warp {{ {warp}");
     defaults_hold("black_hole", &warped("black_hole 0, 1"), "} } }", texture);
+    defaults_hold("repeat", &warped("repeat 2*x"), "} } }", texture);
     defaults_hold("mapping warp", &warped("toroidal"), "} } }", texture);
     defaults_hold("normal", "sphere { 0, 1 normal { bumps", "} }", texture);
 }

@@ -1,5 +1,6 @@
 //! `warp { … }`: what bends the space that a pattern stands in.
 
+use super::described::Table;
 use super::pattern_modifiers::TURBULENCE;
 use super::table::{Block, Item, Takes, Word};
 use crate::diag::SourceResult;
@@ -15,7 +16,7 @@ pub(super) static WARP: Block<Option<Warp>> = Block::<Option<Warp>>::new(
     &[
         Item::new(
             K::Repeat,
-            Takes::Whole("VECTOR [offset VECTOR] [flip VECTOR]", |e, _| e.repeat_warp().map(Some)),
+            Takes::Whole("VECTOR …", |e, _| e.repeat_warp().map(Some)),
             "",
             "the same over and over, along one axis",
         ),
@@ -114,6 +115,43 @@ pub(super) static BLACK_HOLE: Block<BlackHole> = Block::new(
     ],
 );
 
+/// How copies of a stretch of space follow each other.
+#[derive(Default)]
+pub(super) struct Repeat {
+    offset: DVec3,
+    flip: DVec3,
+}
+
+pub(super) static REPEAT: Block<Repeat> = Block::new(
+    "repeat",
+    "in a warp: how copies follow each other",
+    &[
+        Item::new(
+            K::Offset,
+            Takes::Vector(|repeat| &mut repeat.offset),
+            "0",
+            "each is moved this much from the one before",
+        ),
+        Item::new(
+            K::Flip,
+            Takes::Vector(|repeat| &mut repeat.flip),
+            "0",
+            "every other one is mirrored along these axes",
+        ),
+    ],
+);
+
+/// What a warp takes behind its word.
+fn words_of(warp: &Warp) -> &'static dyn Table {
+    match warp {
+        Warp::Repeat { .. } => &REPEAT,
+        Warp::BlackHole(_) => &BLACK_HOLE,
+        Warp::Cylindrical { .. } | Warp::Spherical { .. } | Warp::Toroidal { .. } => &MAPPING,
+        Warp::Turbulence(_) => &TURBULENCE,
+        _ => &WARP,
+    }
+}
+
 /// How a plane is laid around something.
 pub(super) struct Mapping {
     orientation: DVec3,
@@ -170,7 +208,10 @@ impl Evaluator<'_> {
                 None => self.expected_in(&WARP, "a kind of warp"),
             };
         };
-        self.close("warp")?;
+        if !self.accept_punct('}')? {
+            return self.expected_in(words_of(&warp), "'}' to close warp");
+        }
+        self.budget.shallower();
         Ok(warp)
     }
 
@@ -181,16 +222,10 @@ impl Evaluator<'_> {
         let [axis] = axes[..] else {
             return self.error(span, "a repeat warp needs exactly one axis, as in 'repeat 2*x'");
         };
-        let (mut offset, mut flip) = (DVec3::ZERO, DVec3::ZERO);
-        loop {
-            if self.accept(K::Offset)? {
-                offset = self.vector()?;
-            } else if self.accept(K::Flip)? {
-                flip = self.vector()?;
-            } else {
-                return Ok(Warp::Repeat { axis, width: v[axis] as f32, offset, flip });
-            }
-        }
+        let mut repeat = Repeat::default();
+        while self.item_of(&REPEAT, &mut repeat)? {}
+        let Repeat { offset, flip } = repeat;
+        Ok(Warp::Repeat { axis, width: v[axis] as f32, offset, flip })
     }
 
     fn black_hole(&mut self) -> SourceResult<Warp> {
