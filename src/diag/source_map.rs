@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// A file that was read, by order of reading; from [`FIRST_VISIT`] on, a part of one as it was [come to](SourceMap::visit).
+/// A file that was read, by order of reading, or a part of one as it was [come to](SourceMap::visit).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FileId(pub u32);
 

@@ -1,13 +1,12 @@
-//! The words of colours, for whoever asks what may stand in a pigment; [`Evaluator::color`] reads them wherever a number may
-//! stand.
+//! The words of colours, for whoever asks what may stand in a pigment; they are read in `eval/colors.rs`, wherever a colour
+//! may stand.
 
 use super::table::{Block, Item, Takes};
-use crate::eval::Evaluator;
 use crate::syntax::Keyword as K;
 
 /// A word of a colour.
 const fn color(word: K, takes: &'static str, help: &'static str) -> Item<()> {
-    Item::new(word, Takes::Other(takes, |e: &mut Evaluator<'_>, (), _| e.color().map(drop)), "", help)
+    Item::new(word, Takes::Elsewhere(takes), "", help)
 }
 
 pub(super) static COLORS: Block<()> = Block::new(

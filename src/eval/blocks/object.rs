@@ -4,7 +4,6 @@ use super::object_words::{OBJECTS, words_in};
 use super::table::Word;
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
-use crate::math::DVec3;
 use crate::scene::{CsgOperation, Object, PlacedTexture, Shape, Texture};
 use crate::stack::roomy;
 use crate::syntax::{Keyword as K, TokenKind};
@@ -84,12 +83,7 @@ impl Evaluator<'_> {
                 self.light_group(&mut group)?;
                 Ok(group)
             }
-            word => {
-                // Any shape will do: each of these words makes one as a whole.
-                let mut shape = Shape::Sphere { center: DVec3::ZERO, radius: 1.0 };
-                self.item_behind(&OBJECTS, &mut shape, Word { word, span })?;
-                Ok(Object::new(shape, origin))
-            }
+            word => Ok(Object::new(self.whole_of(&OBJECTS, Word { word, span })?, origin)),
         }
     }
 

@@ -29,9 +29,9 @@ const fn late(
     Item::since(350, word, Takes::Whole(takes, make), "", help)
 }
 
-/// Objects made of others, whose parts are read before this could come to it.
+/// Objects made of others, which are read before their word is looked up.
 const fn compound(word: K, takes: &'static str, help: &'static str) -> Item<Shape> {
-    shape(word, takes, |e, at| e.error(at.span, format!("'{}' is no shape", at.word.word())), help)
+    Item::new(word, Takes::Elsewhere(takes), "", help)
 }
 
 /// Where the points end, the words of [`MODIFIERS`] and maybe others of the shape follow.
@@ -48,7 +48,7 @@ pub(super) static OBJECTS: Block<Shape> = Block::new(
         Item::since(
             350,
             K::LightGroup,
-            Takes::Whole("{ OBJECT, … }", |e, at| e.error(at.span, "'light_group' is no shape")),
+            Takes::Elsewhere("{ OBJECT, … }"),
             "",
             "objects and the lights that light only them",
         ),

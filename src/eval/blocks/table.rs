@@ -65,6 +65,8 @@ pub(super) enum Takes<T> {
     Nothing(fn(&mut T)),
     /// What makes all of the target, in the manual's words.
     Whole(&'static str, fn(&mut Evaluator<'_>, Word) -> SourceResult<T>),
+    /// Something that is read elsewhere, in the manual's words.
+    Elsewhere(&'static str),
     /// Something else, in the manual's words.
     Other(&'static str, Read<T>),
 }
@@ -115,7 +117,7 @@ impl<T> Item<T> {
             Takes::Switch(_) => "[BOOL]",
             Takes::Amount(_) => "[FLOAT]",
             Takes::Nothing(_) => "",
-            Takes::Whole(takes, _) | Takes::Other(takes, _) => takes,
+            Takes::Elsewhere(takes) | Takes::Whole(takes, _) | Takes::Other(takes, _) => takes,
         };
         let alias = self.alias.map(Keyword::word);
         Described { word: self.word.word(), alias, takes, default: self.default, since: self.since, help: self.help }
@@ -215,6 +217,7 @@ impl Evaluator<'_> {
             Takes::Amount(field) => *field(target) = self.optional_amount()?,
             Takes::Nothing(act) => act(target),
             Takes::Whole(_, make) => *target = make(self, at)?,
+            Takes::Elsewhere(_) => return self.misplaced(at),
             Takes::Other(_, read) => read(self, target, at)?,
         }
         Ok(())
@@ -223,6 +226,20 @@ impl Evaluator<'_> {
     /// The same for a word that another block has taken.
     pub(super) fn item_behind<T>(&mut self, block: &Block<T>, target: &mut T, at: Word) -> SourceResult<()> {
         block.item(at.word).map_or(Ok(()), |item| self.read_item(item, target, at))
+    }
+
+    /// What a word that was taken makes as a whole.
+    #[inline]
+    pub(super) fn whole_of<T>(&mut self, block: &Block<T>, at: Word) -> SourceResult<T> {
+        match block.item(at.word).map(|item| &item.takes) {
+            Some(Takes::Whole(_, make)) => make(self, at),
+            _ => self.misplaced(at),
+        }
+    }
+
+    #[cold]
+    fn misplaced<T>(&self, at: Word) -> SourceResult<T> {
+        self.error(at.span, format!("'{}' cannot stand here", at.word.word()))
     }
 
     /// Reads all items of a block, with or without commas behind them.
