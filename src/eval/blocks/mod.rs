@@ -11,6 +11,7 @@ mod colors;
 mod defaults;
 mod density;
 mod described;
+mod directive_words;
 mod finish;
 mod function;
 mod functions;
@@ -115,8 +116,10 @@ static TABLES: &[&dyn Table] = &[
     &global_light::RADIOSITY,
     &global_light::PHOTONS,
     &global_light::SUBSURFACE,
+    &spline::SPLINE,
     &functions::ALL,
     &functions::IN_FUNCTIONS,
+    &directive_words::DIRECTIVES,
 ];
 
 /// All tables that stand for themselves.
