@@ -161,7 +161,7 @@ mod tests {
         let fog = page("fog").unwrap_or_default();
         assert!(fog.starts_with("in scene (what stands outside of all braces, beside objects and directives):\n  fog { FOG }  haze that hides what is far away\n\nfog: haze"), "{fog}");
         assert!(
-            fog.contains("\n  turb_depth FLOAT   where along the ray turbulence is taken; 0.5 if not given\n"),
+            fog.contains("\n  turb_depth FLOAT     where along the ray turbulence is taken; 0.5 if not given\n"),
             "{fog}"
         );
         assert!(fog.contains("\n  turbulence octaves omega lambda\n"), "{fog}");

@@ -1,5 +1,6 @@
 //! `background`, `sky_sphere`, `fog` and `rainbow`.
 
+use super::colors::COLORS;
 use super::pattern_modifiers::TURBULENCE;
 use super::table::{Block, Item, Takes};
 use crate::diag::{SourceResult, Topic};
@@ -47,7 +48,7 @@ pub(super) static FOG: Block<Fog> = Block::<Fog>::moved(
         Item::new(K::TurbDepth, Takes::Float(|f| &mut f.turb_depth), "0.5", "where along the ray turbulence is taken"),
     ],
 )
-.with(&[&TURBULENCE]);
+.with(&[&COLORS, &TURBULENCE]);
 
 pub(super) static RAINBOW: Block<Rainbow> = Block::new(
     "rainbow",

@@ -5,6 +5,7 @@
 
 mod atmosphere;
 mod blob;
+mod built_ins;
 mod camera;
 mod clips;
 mod colors;
@@ -14,7 +15,6 @@ mod described;
 mod directive_words;
 mod finish;
 mod function;
-mod functions;
 mod global_light;
 mod image;
 mod implicit;
@@ -117,8 +117,8 @@ static TABLES: &[&dyn Table] = &[
     &global_light::PHOTONS,
     &global_light::SUBSURFACE,
     &spline::SPLINE,
-    &functions::ALL,
-    &functions::IN_FUNCTIONS,
+    &built_ins::ALL,
+    &built_ins::IN_FUNCTIONS,
     &directive_words::DIRECTIVES,
 ];
 

@@ -120,9 +120,9 @@ fn a_block_says_what_it_takes() {
     assert_eq!(hint("sphere { 0, 1 finish { phonk 1 } }"), "did you mean 'phong'?");
     assert!(hint("sphere { 0, 1 finish { fong 1 } }").starts_with("finish takes ambient, brilliance"));
     assert_eq!(
-        hint("fog { width 3 }"),
-        "fog takes distance, fog_alt, fog_offset, fog_type, lambda, matrix, octaves, omega, rotate, scale, transform, \
-         translate, turb_depth, turbulence, up"
+        hint("rainbow { radius 3 }"),
+        "rainbow takes angle, arc_angle, color_map, direction, distance, falloff_angle, jitter, up, width"
     );
+    assert!(hint("fog { width 3 }").starts_with("fog takes alpha, blue, color, colour, distance, filter, fog_alt"));
     assert!(hint("camera { radius 3 }").starts_with("camera takes angle, aperture"));
 }
