@@ -1,13 +1,12 @@
 //! `whitted dump`: what a stage makes of a scene, as text.
 
 use super::scene_arguments::SceneArguments;
-use super::{ERROR, explain, fail};
+use super::{ERROR, explain, fail, print};
 use crate::compile::{self, Queries};
 use crate::diag::SourceMap;
 use crate::eval::Host as _;
 use crate::expanded;
 use crate::syntax;
-use std::io::{self, Write as _};
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -42,11 +41,7 @@ pub(super) fn run(arguments: &Arguments) -> ExitCode {
         Stage::Scene | Stage::Compiled => scene(arguments),
     };
     match text {
-        // A closed pipe is nobody's fault.
-        Ok(text) => match io::stdout().write_all(text.as_bytes()) {
-            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => fail(error),
-            _ => ExitCode::SUCCESS,
-        },
+        Ok(text) => print(&text),
         Err(code) => code,
     }
 }

@@ -43,7 +43,7 @@ pub(super) struct Arguments {
     /// names, as somebody finds them who reads the text there
     #[arg(long, value_name = "DIR")]
     collect: Option<PathBuf>,
-    /// Say in comments where each object was written
+    /// Say in comments where each object was written, and which macro calls led there
     #[arg(long)]
     origins: bool,
 }
@@ -52,6 +52,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> ExitCode {
     let scene = &arguments.scene;
     let mut reading = scene.reading(arguments.width as usize, arguments.height as usize);
+    reading.origins = arguments.origins;
     if let Some(frame) = arguments.frame {
         let (initial_frame, final_frame) = arguments.frames.unwrap_or((frame, frame));
         let (initial_clock, final_clock) = arguments.clocks.unwrap_or((0.0, 1.0));

@@ -10,6 +10,7 @@ mod expand;
 mod explain;
 mod frames;
 mod include_dirs;
+mod language;
 mod messages;
 mod picture_files;
 mod povray;
@@ -22,6 +23,7 @@ mod trace;
 
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -50,6 +52,8 @@ enum Command {
     Trace(trace::Arguments),
     /// Tell how much two EXR pictures differ
     Compare(compare::Arguments),
+    /// List blocks and functions of the scene language, or what one takes
+    Language(language::Arguments),
     /// Measure error against run time on ladders of settings, and show it on a page
     Report(report::Arguments),
     /// Take POV-Ray's arguments, as a program called `povray` does
@@ -82,6 +86,7 @@ pub fn run() -> ExitCode {
         Command::Expand(arguments) => expand::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Language(arguments) => language::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Povray(arguments) => povray::run(&arguments),
         Command::Stability(arguments) => stability::run(&arguments),
@@ -106,6 +111,15 @@ fn dashed_scene(arguments: impl Iterator<Item = OsString>) -> Option<PathBuf> {
         let is_scene = name.extension().is_some_and(|e| e.eq_ignore_ascii_case("pov")) || name.is_file();
         name.as_os_str().as_encoded_bytes().starts_with(b"-") && is_scene
     })
+}
+
+/// Writes text to standard output.
+fn print(text: &str) -> ExitCode {
+    match io::stdout().write_all(text.as_bytes()) {
+        // A closed pipe is nobody's fault.
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => fail(error),
+        _ => ExitCode::SUCCESS,
+    }
 }
 
 /// Says what went wrong; nothing else can be done.
@@ -160,6 +174,8 @@ mod tests {
         check("whitted check a.pov --no-warn rnage", false);
         check("whitted dump a.pov --stage tokens", true);
         check("whitted dump a.pov --stage rays", false);
+        check("whitted language", true);
+        check("whitted language blob component", true);
         check("whitted report a.pov b.pov --against povray --runs 5 -t 2 -W 320 -H 240 -o out -I x", true);
         check("whitted report a.pov --reference a.exr --override max_trace_level=9 -o out", true);
         check("whitted report a.pov --override max_trace=9 -o out", false);

@@ -15,6 +15,6 @@ mod suggest;
 mod topic;
 
 pub use diagnostic::{Diagnostic, Severity, SourceResult};
-pub use source_map::{Excerpt, FileId, LineColumn, SourceFile, SourceMap, Span};
+pub use source_map::{Excerpt, FileId, LineColumn, SourceFile, SourceMap, Span, Visit, Way};
 pub use suggest::{completed, nearest};
 pub use topic::Topic;

@@ -1,8 +1,9 @@
 //! Places in source files.
 
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// A file that was read, by order of reading.
+/// A file that was read, by order of reading, or a part of one as it was [come to](SourceMap::visit).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FileId(pub u32);
 
@@ -18,10 +19,39 @@ pub struct Span {
 }
 
 /// All files that were read, with their text, so that spans can be shown.
+///
+/// Where it matters how reading came to a place, a span's file is a [visit](Self::visit): so a span takes up no more room
+/// than one without a story, and all that was read on one visit share it.
 #[derive(Clone, Debug, Default)]
 pub struct SourceMap {
     files: Vec<SourceFile>,
+    visits: Vec<Visit>,
+    /// Their numbers, since a loop comes the same way again and again.
+    known: FxHashMap<Visit, FileId>,
 }
+
+/// A file that was read because another one says so there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Visit {
+    /// The file.
+    file: FileId,
+    /// What led to it.
+    pub by: Way,
+    /// Where that stands; its file may itself be read on a visit.
+    pub from: Span,
+}
+
+/// What leads to another place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Way {
+    /// The call of a macro, whose name stands there.
+    Call,
+    /// An `#include`.
+    Include,
+}
+
+/// The number of the first visit; those below are files.
+const FIRST_VISIT: u32 = 1 << 31;
 
 /// One file.
 #[derive(Clone, Debug)]
@@ -69,9 +99,30 @@ impl SourceMap {
         FileId((self.files.len() - 1) as u32)
     }
 
+    /// A file as it is read because of what stands at `from`, for spans that shall tell.
+    pub fn visit(&mut self, file: FileId, by: Way, from: Span) -> FileId {
+        let visit = Visit { file, by, from };
+        *self.known.entry(visit).or_insert_with(|| {
+            self.visits.push(visit);
+            FileId(FIRST_VISIT + (self.visits.len() - 1) as u32)
+        })
+    }
+
+    /// How reading came to a place, the last step first.
+    pub fn visits(&self, span: Span) -> impl Iterator<Item = &Visit> {
+        let of = |id: FileId| self.visits.get(id.0.checked_sub(FIRST_VISIT)? as usize);
+        std::iter::successors(of(span.file), move |visit| of(visit.from.file))
+    }
+
     /// A file by its number.
     pub fn file(&self, id: FileId) -> Option<&SourceFile> {
-        self.files.get(id.0 as usize)
+        self.files.get(self.unvisited(id).0 as usize)
+    }
+
+    /// The file that is read on a visit; any other itself.
+    pub fn unvisited(&self, id: FileId) -> FileId {
+        let visit = id.0.checked_sub(FIRST_VISIT).and_then(|i| self.visits.get(i as usize));
+        visit.map_or(id, |visit| visit.file)
     }
 
     /// All files in order of reading.
@@ -109,24 +160,12 @@ impl SourceMap {
         self.file(span.file).and_then(|f| f.text.get(span.start as usize..span.end as usize)).unwrap_or(&[])
     }
 
-    /// Line and column of a span's first byte. CR, LF and both together end one line.
+    /// Line and column of a span's first byte.
     pub fn line_column(&self, span: Span) -> LineColumn {
         let Some(file) = self.file(span.file) else { return LineColumn { line: 1, column: 1 } };
         let before = &file.text[..file.text.len().min(span.start as usize)];
-        let mut line = 1;
-        let mut start = 0;
-        let mut at = 0;
-        while at < before.len() {
-            let byte = before[at];
-            at += 1;
-            if byte == b'\n' || byte == b'\r' {
-                let other = if byte == b'\n' { b'\r' } else { b'\n' };
-                at += usize::from(before.get(at) == Some(&other));
-                line += 1;
-                start = at;
-            }
-        }
-        LineColumn { line, column: String::from_utf8_lossy(&before[start..]).chars().count() + 1 }
+        let (line, start) = line_starts(before).enumerate().last().unwrap_or_default();
+        LineColumn { line: line + 1, column: String::from_utf8_lossy(&before[start..]).chars().count() + 1 }
     }
 
     /// What to show of a span: the part of its first line around its start.
@@ -155,6 +194,25 @@ impl SourceMap {
     }
 }
 
+impl SourceFile {
+    /// Where its lines start, in order, for who asks for many.
+    pub fn line_starts(&self) -> impl Iterator<Item = usize> {
+        line_starts(&self.text)
+    }
+}
+
+/// Where the lines of a text start, one behind its last end of a line included. CR, LF and both together end one line.
+fn line_starts(text: &[u8]) -> impl Iterator<Item = usize> {
+    let mut at = 0;
+    let next = move || {
+        let end = at + text[at..].iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
+        let other = if text[end] == b'\n' { b'\r' } else { b'\n' };
+        at = end + 1 + usize::from(text.get(end + 1) == Some(&other));
+        Some(at)
+    };
+    std::iter::once(0).chain(std::iter::from_fn(next))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -175,6 +233,21 @@ mod tests {
         check(b"ab", 7, 9, (1, 3, "ab", 2, 3));
         check("é\u{2192}x".as_bytes(), 5, 6, (1, 3, "é\u{2192}x", 2, 3));
         check(b"\xff\xfex", 2, 3, (1, 3, "\u{fffd}\u{fffd}x", 2, 3));
+    }
+
+    #[test]
+    fn spans_tell_how_reading_came_to_them() {
+        let mut map = SourceMap::default();
+        let text = b"sphere\nA\nB".to_vec();
+        let file = map.add("a", Arc::new(text));
+        let at = |file, start| Span { file, start, end: start + 1 };
+        let outer = map.visit(file, Way::Call, at(file, 9));
+        let inner = map.visit(file, Way::Call, at(outer, 7));
+        assert_eq!((map.visit(file, Way::Call, at(outer, 7)), map.files().len()), (inner, 1));
+        let place = Span { file: inner, start: 0, end: 6 };
+        assert_eq!((map.bytes(place), map.line_column(place).line), (&b"sphere"[..], 1));
+        let lines: Vec<_> = map.visits(place).map(|visit| map.line_column(visit.from).line).collect();
+        assert_eq!((lines, map.visits(at(file, 0)).count()), (vec![2, 3], 0));
     }
 
     #[test]

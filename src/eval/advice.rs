@@ -5,7 +5,9 @@ use super::colors::is_color_word;
 use super::float_functions::starts_expression;
 use super::names::Names;
 use super::standard_includes::{advice_on_texture, declared_in};
+use super::strings::is_string_function;
 use crate::diag::{SourceMap, Span, completed, nearest};
+use crate::syntax::built_in::BuiltIn;
 use crate::syntax::{Directive, Keyword, Keyword as K, Symbol, Token, TokenKind};
 
 /// What was found instead of what was expected.
@@ -105,31 +107,8 @@ fn fits_in_value(word: Keyword, next: Option<u8>) -> bool {
     }
 }
 
-fn is_string_function(word: Keyword) -> bool {
-    matches!(word, K::Chr | K::Concat | K::Datetime | K::Str | K::Strlwr | K::Strupr | K::Substr | K::Vstr)
-}
-
 fn is_constant(word: Keyword) -> bool {
-    matches!(
-        word,
-        K::Pi
-            | K::True
-            | K::False
-            | K::Yes
-            | K::No
-            | K::On
-            | K::Off
-            | K::Clock
-            | K::ClockOn
-            | K::Now
-            | K::Version
-            | K::X
-            | K::Y
-            | K::Z
-            | K::T
-            | K::U
-            | K::V
-    )
+    BuiltIn::in_values(word).is_some_and(BuiltIn::is_constant)
 }
 
 const POWER: &str = "the power is pow(A, B)";

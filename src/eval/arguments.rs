@@ -2,9 +2,8 @@
 
 use super::{Evaluator, Number};
 use crate::diag::SourceResult;
-use crate::function::{Spline, SplineKind};
+use crate::function::Spline;
 use crate::math::DVec3;
-use crate::syntax::Keyword;
 use smallvec::SmallVec;
 
 impl Evaluator<'_> {
@@ -83,21 +82,5 @@ impl Evaluator<'_> {
             }
         })?;
         Ok(Number { n: spline.width().clamp(1, 5) as u8, v })
-    }
-
-    /// Takes `linear_spline` and the like.
-    ///
-    /// # Errors
-    /// Those of directives in front of it.
-    pub fn spline_kind(&mut self) -> SourceResult<Option<SplineKind>> {
-        let kind = match self.keyword()? {
-            Some(Keyword::LinearSpline) => SplineKind::Linear,
-            Some(Keyword::QuadraticSpline) => SplineKind::Quadratic,
-            Some(Keyword::CubicSpline) => SplineKind::Cubic,
-            Some(Keyword::NaturalSpline) => SplineKind::Natural,
-            _ => return Ok(None),
-        };
-        self.take();
-        Ok(Some(kind))
     }
 }

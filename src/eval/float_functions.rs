@@ -3,6 +3,7 @@
 use super::expressions::truth;
 use super::{Evaluator, Number, Value};
 use crate::diag::{SourceResult, Span, Topic};
+use crate::syntax::built_in::{BuiltIn, Gives, Takes};
 use crate::syntax::{Keyword, TokenKind};
 
 /// Truncation to a signed 32-bit integer; what does not fit, and NaN, gives the smallest one.
@@ -14,68 +15,9 @@ pub(super) fn int32(value: f64) -> i32 {
 }
 
 /// Whether an expression may start with that word.
+#[inline]
 pub(super) fn starts_expression(keyword: Keyword) -> bool {
-    use Keyword as K;
-    constant(keyword).is_some()
-        || one_argument(keyword).is_some()
-        || matches!(
-            keyword,
-            K::Clock
-                | K::ClockOn
-                | K::Version
-                | K::Now
-                | K::Acos
-                | K::Asin
-                | K::Ln
-                | K::Log
-                | K::Sqrt
-                | K::Pow
-                | K::Atan2
-                | K::Div
-                | K::Mod
-                | K::Max
-                | K::Min
-                | K::Select
-                | K::BitwiseAnd
-                | K::BitwiseOr
-                | K::BitwiseXor
-                | K::Seed
-                | K::Rand
-                | K::Defined
-                | K::Dimensions
-                | K::DimensionSize
-                | K::FileExists
-                | K::Inside
-                | K::Vdot
-                | K::Vlength
-                | K::Strcmp
-                | K::Strlen
-                | K::Asc
-                | K::Val
-                | K::X
-                | K::Y
-                | K::Z
-                | K::U
-                | K::V
-                | K::T
-                | K::MaxExtent
-                | K::MinExtent
-                | K::Trace
-                | K::VaxisRotate
-                | K::Vcross
-                | K::Vnormalize
-                | K::Vrotate
-                | K::Vturbulence
-        )
-}
-
-fn constant(keyword: Keyword) -> Option<f64> {
-    Some(match keyword {
-        Keyword::Pi => std::f64::consts::PI,
-        Keyword::True | Keyword::Yes | Keyword::On => 1.0,
-        Keyword::False | Keyword::No | Keyword::Off => 0.0,
-        _ => return None,
-    })
+    BuiltIn::in_values(keyword).is_some_and(|built_in| built_in.gives != Gives::String)
 }
 
 /// Functions of one float without a case of their own.
@@ -164,7 +106,8 @@ impl Evaluator<'_> {
 
     /// The value of a built-in constant or function call; `None`, and nothing taken, for other words.
     pub(super) fn built_in(&mut self, keyword: Keyword) -> SourceResult<Option<Number>> {
-        if let Some(value) = constant(keyword) {
+        let Some(known) = BuiltIn::in_values(keyword) else { return Ok(None) };
+        if let Takes::Number(value) = known.takes {
             self.take();
             return Ok(Some(Number::scalar(value)));
         }
@@ -172,11 +115,10 @@ impl Evaluator<'_> {
             self.take();
             return Ok(Some(Number::scalar(function(self.one_float()?))));
         }
-        if !starts_expression(keyword) {
-            return Ok(None);
-        }
-        if let Some(value) = self.vector_function(keyword)? {
-            return Ok(Some(value));
+        match known.gives {
+            Gives::Float => {}
+            Gives::Vector => return self.vector_function(keyword, known.takes).map(Some),
+            Gives::String => return Ok(None),
         }
         let span = self.span();
         self.take();

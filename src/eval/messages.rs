@@ -43,6 +43,15 @@ impl Evaluator<'_> {
         diagnostic
     }
 
+    /// The place of the token that was just taken, as the calls on the way came to it, if anybody wants to know.
+    #[inline]
+    pub(super) fn origin(&mut self, span: Span) -> Span {
+        if !self.options.origins {
+            return span;
+        }
+        Span { file: self.feed.read_as(&mut self.report.sources), ..span }
+    }
+
     /// A directive that belongs to nothing: what follows would be taken for what it is not.
     pub(super) fn mismatched<T>(&self, span: Span, message: impl Into<String>) -> SourceResult<T> {
         self.report.give_up();

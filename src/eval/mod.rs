@@ -42,6 +42,7 @@ mod macro_results;
 mod macros;
 mod messages;
 mod names;
+mod operands;
 mod options;
 mod printf;
 mod random;

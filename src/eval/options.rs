@@ -31,6 +31,8 @@ pub struct Options {
     pub isosurface_search: IsosurfaceSearch,
     /// What holds instead of what the scene says.
     pub overrides: Overrides,
+    /// Whether spans of objects tell which calls [led](crate::diag::SourceMap::visits) there.
+    pub origins: bool,
     /// What is not left out although the picture does not need it.
     pub keep: Keep,
     /// Bounds on what a scene may use up.
@@ -52,6 +54,7 @@ impl Default for Options {
             now: 0.0,
             isosurface_search: IsosurfaceSearch::default(),
             overrides: Overrides::default(),
+            origins: false,
             keep: Keep::NONE,
             limits: Limits::default(),
         }

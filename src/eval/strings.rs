@@ -4,6 +4,7 @@ use super::float_functions::int32;
 use super::printf::{compact, date_time, fixed};
 use super::{Evaluator, Value};
 use crate::diag::{SourceResult, Span, Topic};
+use crate::syntax::built_in::{BuiltIn, Gives};
 use crate::syntax::{Keyword, TokenKind};
 use std::rc::Rc;
 
@@ -198,18 +199,9 @@ impl Evaluator<'_> {
     }
 }
 
-fn is_string_function(word: Keyword) -> bool {
-    matches!(
-        word,
-        Keyword::Chr
-            | Keyword::Concat
-            | Keyword::Datetime
-            | Keyword::Str
-            | Keyword::Strlwr
-            | Keyword::Strupr
-            | Keyword::Substr
-            | Keyword::Vstr
-    )
+/// Whether a word is a function that gives a string.
+pub(super) fn is_string_function(word: Keyword) -> bool {
+    BuiltIn::in_values(word).is_some_and(|built_in| built_in.gives == Gives::String)
 }
 
 /// Resolves escape sequences; fails with what follows the backslash of an unknown one.

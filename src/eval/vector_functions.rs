@@ -5,60 +5,36 @@ use crate::diag::{SourceResult, Span, Topic};
 use crate::math::noise::{Octaves, vector_turbulence};
 use crate::math::{DVec3, Transform};
 use crate::syntax::Keyword;
+use crate::syntax::built_in::Takes;
 
 impl Evaluator<'_> {
-    /// The value of a vector constant or function; `None`, and nothing taken, for other words.
-    pub(super) fn vector_function(&mut self, keyword: Keyword) -> SourceResult<Option<Number>> {
-        let literal = |n: u8, v: [f64; 5]| Some(Number { n, v });
-        let constant = match keyword {
-            Keyword::X => literal(3, [1.0, 0.0, 0.0, 0.0, 0.0]),
-            Keyword::Y => literal(3, [0.0, 1.0, 0.0, 0.0, 0.0]),
-            Keyword::Z => literal(3, [0.0, 0.0, 1.0, 0.0, 0.0]),
-            Keyword::U => literal(2, [1.0, 0.0, 0.0, 0.0, 0.0]),
-            Keyword::V => literal(2, [0.0, 1.0, 0.0, 0.0, 0.0]),
-            Keyword::T => literal(4, [0.0, 0.0, 0.0, 1.0, 0.0]),
-            _ => None,
-        };
-        if constant.is_some() {
-            self.take();
-            return Ok(constant);
-        }
+    /// The value of a vector constant or of a function that gives a vector.
+    pub(super) fn vector_function(&mut self, keyword: Keyword, takes: Takes) -> SourceResult<Number> {
         let span = self.span();
+        self.take();
+        if let Takes::Axis([x, y, z, t], n) = takes {
+            return Ok(Number { n, v: [x, y, z, t, 0.0] });
+        }
         let vector = match keyword {
             Keyword::Vcross => {
-                self.take();
                 let [a, b] = self.vectors()?;
                 a.cross(b)
             }
             Keyword::Vnormalize => {
-                self.take();
                 let [a] = self.vectors()?;
                 self.normalized(a, span)
             }
             Keyword::Vrotate => {
-                self.take();
                 let [v, degrees] = self.vectors()?;
                 Transform::rotation_deg(degrees).vector(v)
             }
-            Keyword::VaxisRotate => {
-                self.take();
-                self.arguments(Self::axis_rotation)?
-            }
-            Keyword::Vturbulence => {
-                self.take();
-                self.turbulence()?
-            }
-            Keyword::Trace => {
-                self.take();
-                self.trace()?
-            }
-            Keyword::MinExtent | Keyword::MaxExtent => {
-                self.take();
-                self.extent(keyword == Keyword::MaxExtent)?
-            }
-            _ => return Ok(None),
+            Keyword::VaxisRotate => self.arguments(Self::axis_rotation)?,
+            Keyword::Vturbulence => self.turbulence()?,
+            Keyword::Trace => self.trace()?,
+            Keyword::MinExtent | Keyword::MaxExtent => self.extent(keyword == Keyword::MaxExtent)?,
+            _ => return self.error(span, format!("'{}' gives no vector here", keyword.word())),
         };
-        Ok(Some(Number::vector(vector)))
+        Ok(Number::vector(vector))
     }
 
     /// `vaxis_rotate(v, axis, degrees)`.

@@ -213,11 +213,7 @@ pub enum SlopeDirection {
 impl Pattern {
     /// The pattern with the defaults that its keyword sets (section 2 of the pattern facts).
     pub fn new(kind: PatternKind) -> Self {
-        use PatternKind as K;
-        let wave = match kind {
-            K::Marble | K::Wood | K::Spiral1(_) | K::Spiral2(_) => Wave::Triangle,
-            _ => Wave::Ramp,
-        };
+        let wave = kind.own_wave().unwrap_or(Wave::Ramp);
         Self { frequency: if kind.has_no_frequency() { 0.0 } else { 1.0 }, wave, kind, ..Self::default() }
     }
 
@@ -255,6 +251,11 @@ impl Pattern {
 }
 
 impl PatternKind {
+    /// The wave that the keyword sets, if it sets one.
+    pub fn own_wave(&self) -> Option<Wave> {
+        matches!(self, Self::Marble | Self::Wood | Self::Spiral1(_) | Self::Spiral2(_)).then_some(Wave::Triangle)
+    }
+
     /// Whether the keyword sets frequency 0, so that its value is taken as it is.
     pub fn has_no_frequency(&self) -> bool {
         matches!(

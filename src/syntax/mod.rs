@@ -18,6 +18,7 @@
 //! and nothing else ([`vectors`]). And directives know where their branch ends, so that
 //! skipping and leaving loops jumps ([`Source::branch_end`]).
 
+pub mod built_in;
 mod directive;
 mod dump;
 pub mod expression;

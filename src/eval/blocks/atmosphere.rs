@@ -1,5 +1,6 @@
 //! `background`, `sky_sphere`, `fog` and `rainbow`.
 
+use super::colors::COLORS;
 use super::pattern_modifiers::TURBULENCE;
 use super::table::{Block, Item, Takes};
 use crate::diag::{SourceResult, Topic};
@@ -9,8 +10,9 @@ use crate::scene::{Background, Blend, Fog, Pattern, PatternKind, Pigment, Pigmen
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
-pub(super) static FOG: Block<Fog> = Block::moved(
+pub(super) static FOG: Block<Fog> = Block::<Fog>::moved(
     "fog",
+    "haze that hides what is far away",
     |_, fog, transform| fog.up = transform.vector(fog.up).normalize_or(DVec3::Y),
     &[
         Item::new(
@@ -45,10 +47,12 @@ pub(super) static FOG: Block<Fog> = Block::moved(
         ),
         Item::new(K::TurbDepth, Takes::Float(|f| &mut f.turb_depth), "0.5", "where along the ray turbulence is taken"),
     ],
-);
+)
+.with(&[&COLORS, &TURBULENCE]);
 
 pub(super) static RAINBOW: Block<Rainbow> = Block::new(
     "rainbow",
+    "a bow in the sky",
     &[
         Item::new(K::Direction, Takes::Vector(|r| &mut r.direction), "", "where light comes from, as seen by the bow"),
         Item::new(K::Up, Takes::Vector(|r| &mut r.up), "y", "to the top of the bow"),
@@ -83,6 +87,24 @@ pub(super) static RAINBOW: Block<Rainbow> = Block::new(
     ],
 );
 
+pub(super) static SKY_SPHERE: Block<SkySphere> = Block::moved(
+    "sky_sphere",
+    "pigments that are seen where nothing else is",
+    |_, sky, transform| sky.transform = sky.transform.then(transform),
+    &[
+        Item::new(
+            K::Pigment,
+            Takes::Other("{ PIGMENT }", |e, sky, _| {
+                sky.pigments.push(Arc::new(e.pigment_block(Pigment::default())?));
+                Ok(())
+            }),
+            "",
+            "its colours by direction; later ones are seen through by what they let through",
+        ),
+        Item::since(370, K::Emission, Takes::Rgb(|sky| &mut sky.emission), "rgb 1", "factor of its colours"),
+    ],
+);
+
 impl Evaluator<'_> {
     /// `{ COLOUR }` after `background`.
     pub(super) fn background(&mut self) -> SourceResult<Background> {
@@ -104,22 +126,12 @@ impl Evaluator<'_> {
             transform: Transform::IDENTITY,
         });
         sky.span = span;
-        loop {
-            self.comma()?;
-            if let Some(transform) = self.transformation()? {
-                sky.transform = sky.transform.then(&transform);
-            } else if self.accept(K::Pigment)? {
-                sky.pigments.push(Arc::new(self.pigment_block(Pigment::default())?));
-            } else if self.accept(K::Emission)? {
-                sky.emission = self.rgb_only("emission")?;
-            } else {
-                break;
-            }
-        }
+        self.comma()?;
+        self.items_of(&SKY_SPHERE, &mut sky)?;
         if sky.pigments.is_empty() {
             return self.expected("a pigment for the sky_sphere");
         }
-        self.close("sky_sphere")?;
+        self.close_of(&SKY_SPHERE)?;
         Ok(sky)
     }
 

@@ -19,6 +19,7 @@ pub(super) struct Draft {
 
 pub(super) static FINISH: Block<Draft> = Block::new(
     "finish",
+    "how a surface shines",
     &[
         Item::new(
             K::Ambient,
@@ -131,6 +132,7 @@ pub(super) static FINISH: Block<Draft> = Block::new(
 
 pub(super) static IRID: Block<Finish> = Block::new(
     "irid",
+    "colours of thin films on a surface",
     &[
         Item::new(K::Thickness, Takes::Single(|f| &mut f.irid_thickness), "0", "how thick the film is"),
         Item::new(
@@ -147,6 +149,7 @@ pub(super) static IRID: Block<Finish> = Block::new(
 
 pub(super) static SUBSURFACE: Block<Finish> = Block::new(
     "subsurface",
+    "light that goes into a surface and comes out beside",
     &[
         Item::new(
             K::Translucency,
@@ -168,6 +171,7 @@ pub(super) static SUBSURFACE: Block<Finish> = Block::new(
 
 pub(super) static REFLECTION: Block<Finish> = Block::new(
     "reflection",
+    "what a surface mirrors",
     &[
         Item::since(
             350,

@@ -26,7 +26,8 @@ const TYPES: &[(K, &[&str], Option<ImageFormat>)] = &[
 ];
 
 pub(super) static MAPPING: Block<ImageMapping> = Block::new(
-    "image_map",
+    "image",
+    "how a picture lies in space",
     &[
         Item::new(K::Once, Takes::Nothing(|m| m.once = true), "", "one copy alone; nothing outside of it"),
         Item::new(

@@ -1,12 +1,9 @@
-//! `interior { … }`, `media { … }` and `density { … }`.
+//! `interior { … }` and `media { … }`.
 
-use super::pattern::no_list;
 use super::table::{Block, Item, Takes, Word};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
-use crate::math::Color;
-use crate::scene::{Blend, Density, Interior, Media, Pattern, PatternKind};
-use crate::stack::roomy;
+use crate::scene::{Interior, Media};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -15,6 +12,7 @@ const VERSION_WITH_MEDIA_METHOD_3: u32 = 350;
 
 pub(super) static INTERIOR: Block<Interior> = Block::moved(
     "interior",
+    "what a solid is filled with",
     |_, interior, transform| interior.apply(transform),
     &[
         Item::new(K::Ior, Takes::Float(|i| &mut i.ior), "", "how strongly light is bent; 1.5 for glass"),
@@ -63,6 +61,7 @@ pub(super) static INTERIOR: Block<Interior> = Block::moved(
 
 pub(super) static MEDIA: Block<Media> = Block::moved(
     "media",
+    "dust, smoke and fire",
     |_, media, transform| media.apply(transform),
     &[
         Item::new(K::Absorption, Takes::Rgb(|m| &mut m.absorption), "0", "light that is lost on a way of one unit"),
@@ -162,6 +161,39 @@ pub(super) static MEDIA: Block<Media> = Block::moved(
     ],
 );
 
+/// What scatters.
+pub(super) static SCATTERING: Block<Scattering> = Block::new(
+    "scattering",
+    "light that media throw aside",
+    &[
+        Item::new(
+            K::Eccentricity,
+            Takes::Other("FLOAT", |e, scattering, at| {
+                scattering.eccentricity = e.float()?;
+                if scattering.kind != 5 {
+                    return e.error(at.span, "eccentricity belongs to scattering type 5");
+                }
+                Ok(())
+            }),
+            "0",
+            "type 5: above 0 more light goes on, below 0 more goes back",
+        ),
+        Item::new(
+            K::Extinction,
+            Takes::Float(|scattering| &mut scattering.extinction),
+            "1",
+            "how much of what is thrown aside is lost on the way",
+        ),
+    ],
+);
+
+/// `scattering` while it is being read.
+pub(super) struct Scattering {
+    kind: i64,
+    eccentricity: f64,
+    extinction: f64,
+}
+
 impl Evaluator<'_> {
     /// `{ … }` after `interior`, changing what the object has already.
     pub(super) fn interior_block(&mut self, start: Option<Arc<Interior>>) -> SourceResult<Interior> {
@@ -207,76 +239,6 @@ impl Evaluator<'_> {
         self.close_of(&MEDIA)?;
         Ok(media)
     }
-
-    /// `{ … }` after `density`.
-    pub(super) fn density_block(&mut self) -> SourceResult<Density> {
-        self.open("density")?;
-        let density = self.density_items()?;
-        self.close("density")?;
-        Ok(density)
-    }
-
-    /// The inside of a density, also of a `density_map` entry.
-    pub(super) fn density_items(&mut self) -> SourceResult<Density> {
-        roomy(|| self.whole_density())
-    }
-
-    fn whole_density(&mut self) -> SourceResult<Density> {
-        let pick = |v: &Value| if let Value::Density(d) = v { Some((**d).clone()) } else { None };
-        let mut density = self.take_declared(pick)?.unwrap_or(Density::Solid(Color::rgb(1.0, 1.0, 1.0)));
-        while self.density_item(&mut density)? {}
-        Ok(density)
-    }
-
-    fn density_item(&mut self, density: &mut Density) -> SourceResult<bool> {
-        self.comma()?;
-        match self.keyword()? {
-            Some(K::ColorMap | K::ColourMap) => {
-                self.next()?;
-                let map = Blend::Map(self.color_map()?);
-                *density = Density::Colors(density_pattern(density), map);
-                return Ok(true);
-            }
-            Some(K::DensityMap) => {
-                self.next()?;
-                let pattern = density_pattern(density);
-                let map = self.density_map(matches!(pattern.kind, PatternKind::Average))?;
-                *density = Density::Densities(pattern, map);
-                return Ok(true);
-            }
-            _ => {}
-        }
-        let mut pattern = density_pattern(density);
-        let mut list = Vec::new();
-        let mut read_list = |e: &mut Evaluator, n: usize| {
-            e.comma()?;
-            while list.len() < n && e.accept(K::Density)? {
-                list.push(Arc::new(e.density_block()?));
-                e.comma()?;
-            }
-            no_list(e, n)
-        };
-        if self.pattern_keyword(&mut pattern, &mut read_list)? {
-            *density = match density {
-                _ if !list.is_empty() => Density::Densities(pattern, Blend::List(list)),
-                Density::Colors(_, map) => Density::Colors(pattern, map.clone()),
-                _ => Density::Colors(pattern, Blend::Default),
-            };
-            return Ok(true);
-        }
-        if self.starts_color()? {
-            *density = Density::Solid(self.color()?);
-            return Ok(true);
-        }
-        let more = self.pattern_modifier(&mut pattern)?;
-        if more {
-            match density {
-                Density::Solid(_) => {}
-                Density::Colors(p, _) | Density::Densities(p, _) => *p = pattern,
-            }
-        }
-        Ok(more)
-    }
 }
 
 fn at_least_one(e: &mut Evaluator<'_>, at: Word) -> SourceResult<u32> {
@@ -296,28 +258,9 @@ fn scattering(e: &mut Evaluator<'_>, media: &mut Media, _: Word) -> SourceResult
     }
     e.comma()?;
     let color = e.rgb_only("scattering")?;
-    let (mut eccentricity, mut extinction) = (0.0, 1.0);
-    loop {
-        e.comma()?;
-        let span = e.span();
-        if e.accept(K::Eccentricity)? {
-            eccentricity = e.float()?;
-            if kind != 5 {
-                return e.error(span, "eccentricity belongs to scattering type 5");
-            }
-        } else if e.accept(K::Extinction)? {
-            extinction = e.float()?;
-        } else {
-            break;
-        }
-    }
-    media.scattering = (kind as u8, color, eccentricity, extinction);
-    e.close("scattering")
-}
-
-fn density_pattern(density: &Density) -> Pattern {
-    match density {
-        Density::Solid(_) => Pattern::new(PatternKind::None),
-        Density::Colors(pattern, _) | Density::Densities(pattern, _) => pattern.clone(),
-    }
+    let mut scattering = Scattering { kind, eccentricity: 0.0, extinction: 1.0 };
+    e.comma()?;
+    e.items_of(&SCATTERING, &mut scattering)?;
+    media.scattering = (kind as u8, color, scattering.eccentricity, scattering.extinction);
+    e.close_of(&SCATTERING)
 }

@@ -107,6 +107,7 @@ impl Evaluator<'_> {
 
 pub(super) static MATERIAL: Block<Material> = Block::moved(
     "material",
+    "texture and interior in one",
     |_, material, transform| {
         for texture in [&mut material.texture, &mut material.interior_texture].into_iter().flatten() {
             Arc::make_mut(texture).apply(transform);

@@ -1,5 +1,6 @@
 //! `light_source { … }` and `light_group { … }`.
 
+use super::modifiers::MODIFIERS;
 use super::table::{Block, Item, Takes, Word};
 use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
@@ -20,8 +21,9 @@ pub(super) struct Draft {
     area_illumination: bool,
 }
 
-pub(super) static LIGHT_SOURCE: Block<Draft> = Block::moved(
+pub(super) static LIGHT_SOURCE: Block<Draft> = Block::<Draft>::moved(
     "light_source",
+    "a light",
     |_, draft, transform| {
         draft.light.axis = (draft.light.point_at - draft.light.location).normalize_or(DVec3::Z);
         draft.light.apply(transform);
@@ -156,7 +158,38 @@ pub(super) static LIGHT_SOURCE: Block<Draft> = Block::moved(
             "the whole grid shines, not only its middle",
         ),
     ],
-);
+)
+.with(&[&MODIFIERS]);
+
+pub(super) static LIGHT_GROUP: Block<Object> = Block::<Object>::moved(
+    "light_group",
+    "objects and the lights that light only them",
+    |_, group, transform| group.apply(transform),
+    &[
+        Item::new(
+            K::GlobalLights,
+            Takes::Other("[BOOL]", |e, group, _| {
+                let on = e.optional_bool()?;
+                if let Shape::LightGroup { global_lights, .. } = &mut group.shape {
+                    *global_lights = on;
+                }
+                Ok(())
+            }),
+            "off",
+            "whether lights outside of it light them, too",
+        ),
+        Item::new(
+            K::Photons,
+            Takes::Other("{ items }", |e, group, _| {
+                group.rare.photons = e.photons_block(group.rare.photons)?;
+                Ok(())
+            }),
+            "",
+            "what photons do at its objects",
+        ),
+    ],
+)
+.with(&[&MODIFIERS]);
 
 impl Evaluator<'_> {
     /// The inside of a light source after its opening brace, up to the closing brace.
@@ -243,21 +276,17 @@ impl Evaluator<'_> {
 
     /// The inside of a light group after its opening brace, up to the closing brace.
     pub(super) fn light_group(&mut self, object: &mut Object) -> SourceResult<()> {
-        let (mut children, mut global_lights) = (Vec::new(), false);
+        let mut group = Vec::new();
         loop {
             if let Some(child) = self.object()? {
-                children.push(child);
-            } else if let Some(transform) = self.transformation()? {
-                object.apply(&transform);
-            } else if self.accept(K::GlobalLights)? {
-                global_lights = self.optional_bool()?;
-            } else if self.accept(K::Photons)? {
-                object.rare.photons = self.photons_block(object.rare.photons)?;
-            } else {
+                group.push(child);
+            } else if !self.item_of(&LIGHT_GROUP, object)? {
                 break;
             }
         }
-        object.shape = Shape::LightGroup { children: children.into(), global_lights };
+        if let Shape::LightGroup { children, .. } = &mut object.shape {
+            *children = group.into();
+        }
         Ok(())
     }
 }

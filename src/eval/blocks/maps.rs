@@ -1,5 +1,6 @@
 //! `[value item]` lists: colour, pigment, normal, slope, texture and density maps.
 
+use super::table::Word;
 use crate::diag::SourceResult;
 use crate::eval::colors::is_color_word;
 use crate::eval::{Evaluator, Value};
@@ -18,17 +19,16 @@ enum Values {
 }
 
 impl Evaluator<'_> {
-    /// Refuses the map that comes next where the pattern takes a list instead or, but for maps that can be
+    /// Refuses the map whose word stands there where the pattern takes a list instead or, but for maps that can be
     /// averaged, is an average.
-    pub(super) fn check_map(&mut self, kind: &PatternKind, what: &str, averages: bool) -> SourceResult<()> {
+    pub(super) fn check_map(&self, kind: &PatternKind, Word { word, span }: Word, averages: bool) -> SourceResult<()> {
         let hint = match kind {
             PatternKind::Average if !averages => "average takes a pigment_map, normal_map, texture_map or density_map",
             PatternKind::Average => return Ok(()),
             kind if kind.n_blocks().is_some() => "its items stand behind the pattern's name, without a map",
             _ => return Ok(()),
         };
-        let span = self.span();
-        self.error_with_hint(span, format!("this pattern takes no {what}"), hint)
+        self.error_with_hint(span, format!("this pattern takes no {}", word.word()), hint)
     }
 
     /// `{ IDENTIFIER }` or `{ [v item] … }`, after the keyword.

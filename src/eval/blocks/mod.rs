@@ -4,10 +4,16 @@
 //! directives and macros work between any two of them.
 
 mod atmosphere;
+mod blob;
+mod built_ins;
 mod camera;
+mod clips;
+mod colors;
 mod defaults;
+mod density;
+mod described;
+mod directive_words;
 mod finish;
-mod freeform;
 mod function;
 mod global_light;
 mod image;
@@ -17,130 +23,116 @@ mod layers;
 mod light;
 mod maps;
 mod mesh;
+mod mesh2;
 mod modifiers;
 mod normal;
 mod object;
+mod object_words;
+mod outline;
+mod patch;
 mod pattern;
 mod pattern_modifiers;
+mod photon_flags;
 mod pigment;
+mod scene_level;
 mod settings;
 mod shape;
 mod spline;
 mod table;
 #[cfg(test)]
 mod tests;
+mod text;
 mod texture;
+mod warp;
 
 pub use camera::CameraStatement;
 pub use defaults::Defaults;
+pub use described::{Described, DescribedBlock};
+pub(super) use described::{Table, with_words};
 pub use layers::Material;
-pub(super) use object::is_object_keyword;
-pub use table::Described;
-pub(super) use table::{Table, with_words};
+pub(super) use object_words::is_object_keyword;
 
 use super::{Evaluator, Value};
-use crate::diag::{SourceResult, Topic};
+use crate::diag::SourceResult;
 use crate::scene::{Blend, MapEntry};
 use crate::syntax::Keyword as K;
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// All tables.
+/// All tables that stand for themselves.
 static TABLES: &[&dyn Table] = &[
-    &atmosphere::FOG,
-    &atmosphere::RAINBOW,
-    &camera::CAMERA_TYPES,
-    &camera::CAMERA,
+    &scene_level::SCENE,
+    &object_words::OBJECTS,
+    &modifiers::MODIFIERS,
+    &light::LIGHT_SOURCE,
+    &light::LIGHT_GROUP,
+    &shape::CYLINDER,
+    &shape::CONE,
+    &mesh::MESH,
+    &mesh2::MESH2,
+    &patch::HEIGHT_FIELD,
+    &patch::BICUBIC_PATCH,
+    &blob::BLOB,
+    &blob::COMPONENT,
+    &outline::PRISM,
+    &outline::LATHE,
+    &outline::SOR,
+    &outline::SPHERE_SWEEP,
+    &implicit::ISOSURFACE,
+    &implicit::PARAMETRIC,
+    &implicit::CONTAINER,
+    &implicit::JULIA_FRACTAL,
+    &texture::TEXTURE,
+    &texture::LAYER,
+    &pigment::PIGMENT,
+    &pigment::IMAGE_MAP,
+    &normal::NORMAL,
+    &normal::BUMP_MAP,
     &finish::FINISH,
     &finish::IRID,
     &finish::REFLECTION,
     &finish::SUBSURFACE,
-    &global_light::PHOTONS,
-    &global_light::RADIOSITY,
-    &global_light::SUBSURFACE,
     &image::MAPPING,
-    &interior::INTERIOR,
-    &interior::MEDIA,
-    &layers::MATERIAL,
-    &light::LIGHT_SOURCE,
-    &modifiers::MODIFIERS,
-    &modifiers::PHOTONS,
+    &colors::COLORS,
+    &pattern::PATTERNS,
     &pattern_modifiers::MODIFIERS,
     &pattern_modifiers::TURBULENCE,
+    &pattern_modifiers::OF_KINDS,
+    &warp::WARP,
+    &warp::REPEAT,
+    &warp::BLACK_HOLE,
+    &warp::MAPPING,
+    &layers::MATERIAL,
+    &interior::INTERIOR,
+    &interior::MEDIA,
+    &interior::SCATTERING,
+    &density::DENSITY,
+    &photon_flags::PHOTONS,
+    &camera::CAMERA,
+    &atmosphere::FOG,
+    &atmosphere::RAINBOW,
+    &atmosphere::SKY_SPHERE,
     &settings::GLOBAL_SETTINGS,
-    &texture::LAYER,
+    &global_light::RADIOSITY,
+    &global_light::PHOTONS,
+    &global_light::SUBSURFACE,
+    &spline::SPLINE,
+    &built_ins::ALL,
+    &built_ins::IN_FUNCTIONS,
+    &directive_words::DIRECTIVES,
 ];
 
-/// Blocks by their names, with the words that they take.
-pub fn described() -> impl Iterator<Item = (&'static str, Vec<Described>)> {
-    TABLES.iter().map(|table| (table.name(), table.words()))
+/// All tables that stand for themselves.
+fn tables() -> impl Iterator<Item = &'static dyn Table> {
+    TABLES.iter().copied()
+}
+
+/// The blocks of the language.
+pub fn described() -> impl Iterator<Item = DescribedBlock> {
+    tables().map(DescribedBlock::of)
 }
 
 impl Evaluator<'_> {
-    /// One item of the scene level, if one comes next.
-    pub(in crate::eval) fn scene_item(&mut self) -> SourceResult<bool> {
-        let span = self.span();
-        if let Some(object) = self.own_object()? {
-            self.add_to_scene(object);
-            return Ok(true);
-        }
-        let Some(keyword) = self.keyword()? else { return Ok(false) };
-        match keyword {
-            K::Camera => {
-                self.next()?;
-                let camera = self.camera_block()?;
-                let version = self.version;
-                if self.defaults.last_camera.replace(camera.clone()).is_some() && version >= 350 {
-                    self.warn(Topic::Ignored, span, "there is more than one camera; the last one is used");
-                }
-                self.scene.camera = camera.into_camera(version);
-            }
-            K::GlobalSettings => {
-                self.next()?;
-                self.global_settings()?;
-            }
-            K::Background => {
-                self.next()?;
-                self.scene.background = Some(self.background()?);
-            }
-            K::Fog => {
-                self.next()?;
-                let fog = self.fog()?;
-                self.scene.fogs.push(fog);
-            }
-            K::Rainbow => {
-                self.next()?;
-                let rainbow = self.rainbow()?;
-                self.scene.rainbows.push(rainbow);
-            }
-            K::SkySphere => {
-                self.next()?;
-                let sky = self.sky_sphere()?;
-                if self.scene.sky_sphere.replace(sky).is_some() {
-                    self.warn(Topic::Ignored, span, "there is more than one sky_sphere; the last one is used");
-                }
-            }
-            K::Media => {
-                self.next()?;
-                let media = self.media_block()?;
-                self.scene.media.push(media);
-            }
-            K::MaxTraceLevel | K::MaxIntersections => return self.item_of(&settings::GLOBAL_SETTINGS, &mut ()),
-            _ => return Ok(false),
-        }
-        Ok(true)
-    }
-
-    /// Puts an object into the scene, with the default texture in force now.
-    fn add_to_scene(&mut self, object: crate::scene::Object) {
-        self.scene.objects.push(object);
-        let texture = match self.scene.default_textures.last() {
-            Some(last) if self.defaults.is_texture(last) => last.clone(),
-            _ => self.defaults.texture(),
-        };
-        self.scene.default_textures.push(texture);
-    }
-
     /// The value of a declaration or macro argument that starts with a block keyword.
     pub(in crate::eval) fn declared_block(&mut self, keyword: K) -> SourceResult<Option<Value>> {
         let value = match keyword {

@@ -1,9 +1,10 @@
 //! What every object takes behind its shape: textures, flags, clips and bounds.
 
+use super::clips::{bounded_by, clipped_by};
 use super::table::{Block, Item, Takes, Word};
-use crate::diag::{SourceResult, Span, Topic};
+use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
-use crate::scene::{Object, PhotonFlags, Shape};
+use crate::scene::{Object, Shape};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
@@ -18,6 +19,7 @@ enum Shaped {
 /// They end with the brace of the object, whatever its word.
 pub(super) static MODIFIERS: Block<Object> = Block::moved(
     "object",
+    "what any object takes behind its shape",
     |_, object, transform| object.apply(transform),
     &[
         Item::new(
@@ -208,55 +210,6 @@ pub(super) static MODIFIERS: Block<Object> = Block::moved(
     ],
 );
 
-pub(super) static PHOTONS: Block<PhotonFlags> = Block::new(
-    "photons",
-    &[
-        Item::new(
-            K::Target,
-            Takes::Other("[FLOAT]", |e, flags, _| {
-                flags.target = Some(if e.starts_expression()? { e.float()? } else { 1.0 });
-                Ok(())
-            }),
-            "",
-            "photons are aimed at it; the number is a factor of their distance",
-        ),
-        Item::new(
-            K::Refraction,
-            Takes::Other("BOOL", |e, flags, _| {
-                flags.refraction = Some(e.float()? > 0.0);
-                Ok(())
-            }),
-            "",
-            "whether photons go through it, or are shot at what is bent",
-        ),
-        Item::new(
-            K::Reflection,
-            Takes::Other("BOOL", |e, flags, _| {
-                flags.reflection = Some(e.float()? > 0.0);
-                Ok(())
-            }),
-            "",
-            "whether it mirrors photons, or they are shot at what mirrors",
-        ),
-        Item::new(
-            K::Collect,
-            Takes::Other("[BOOL]", |e, flags, _| {
-                flags.collect = Some(e.optional_bool()?);
-                Ok(())
-            }),
-            "",
-            "whether photons stay on it",
-        ),
-        Item::new(
-            K::PassThrough,
-            Takes::Switch(|flags| &mut flags.pass_through),
-            "",
-            "photons go on to what is behind it",
-        ),
-        Item::new(K::AreaLight, Takes::Switch(|flags| &mut flags.area_light), "", "photons come from the whole grid"),
-    ],
-);
-
 impl Evaluator<'_> {
     /// Everything that may follow the shape inside an object's braces.
     pub(super) fn object_modifiers(&mut self, object: &mut Object) -> SourceResult<()> {
@@ -271,14 +224,6 @@ impl Evaluator<'_> {
             self.color()?;
             self.warn(Topic::Ignored, span, "a colour belongs into a pigment; here it has no effect");
         }
-    }
-
-    /// `{ … }` after `photons` of an object or light.
-    pub(super) fn photons_block(&mut self, mut flags: PhotonFlags) -> SourceResult<PhotonFlags> {
-        self.open("photons")?;
-        self.items_of(&PHOTONS, &mut flags)?;
-        self.close_of(&PHOTONS)?;
-        Ok(flags)
     }
 
     /// `{ importance F }` after `radiosity`.
@@ -318,54 +263,6 @@ fn material(e: &mut Evaluator<'_>, object: &mut Object, at: Word) -> SourceResul
         object.interior = material.interior;
     }
     Ok(())
-}
-
-fn clipped_by(e: &mut Evaluator<'_>, object: &mut Object, at: Word) -> SourceResult<()> {
-    e.open("clipped_by")?;
-    if e.accept(K::BoundedBy)? {
-        object.rare.clipped_by = object.rare.bounded_by.clone();
-        object.flags.bounds_are_clips = true;
-    } else {
-        let clips = clip_objects(e, at.span)?;
-        object.rare.clipped_by.extend(clips);
-    }
-    e.close("clipped_by")
-}
-
-fn bounded_by(e: &mut Evaluator<'_>, object: &mut Object, at: Word) -> SourceResult<()> {
-    e.open("bounded_by")?;
-    if e.accept(K::ClippedBy)? {
-        object.rare.bounded_by = object.rare.clipped_by.clone();
-        object.flags.bounds_are_clips = true;
-    } else {
-        let bounds = clip_objects(e, at.span)?;
-        object.rare.bounded_by.extend(bounds);
-    }
-    e.close("bounded_by")
-}
-
-/// Objects with transformations for all of them, between the braces of a clip or bound.
-fn clip_objects(e: &mut Evaluator<'_>, span: Span) -> SourceResult<Vec<Arc<Object>>> {
-    let mut objects = Vec::new();
-    loop {
-        if let Some(object) = e.object()? {
-            if object.texture.is_some() || object.shape.is_patch() {
-                return e.error(span, "a clip or bound must be a solid without a texture");
-            }
-            objects.push(object);
-        } else if let Some(transform) = e.transformation()? {
-            for object in &mut objects {
-                Arc::make_mut(object).apply(&transform);
-            }
-        } else {
-            break;
-        }
-        e.comma()?;
-    }
-    if objects.is_empty() {
-        return e.expected("an object");
-    }
-    Ok(objects)
 }
 
 fn shape_takes(e: &Evaluator<'_>, object: &Object, what: Shaped, at: Word) -> SourceResult<()> {

@@ -1,5 +1,9 @@
 //! `normal { … }`.
 
+use super::image::MAPPING;
+use super::pattern::PATTERNS;
+use super::pattern_modifiers::{MODIFIERS, OF_KINDS, TURBULENCE};
+use super::table::{Block, Item, Takes, Word};
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
 use crate::scene::{Blend, MapEntry, Normal, NormalKind, Pattern, PatternKind};
@@ -20,12 +24,124 @@ fn take_pattern(kind: &mut NormalKind) -> Pattern {
     std::mem::replace(pattern_of(kind), Pattern::new(PatternKind::None))
 }
 
+pub(super) static NORMAL: Block<Normal> = Block::<Normal>::new(
+    "normal",
+    "bumps of a surface, which only light sees",
+    &[
+        Item::new(
+            K::BumpMap,
+            Takes::Other("{ IMAGE … } [AMOUNT]", |e, normal, _| {
+                let pattern = take_pattern(&mut normal.kind);
+                e.bump_map(normal, pattern)
+            }),
+            "",
+            "heights are a picture",
+        ),
+        Item::since(
+            350,
+            K::Facets,
+            Takes::Nothing(|normal| {
+                let pattern = take_pattern(&mut normal.kind);
+                normal.kind = NormalKind::Facets { pattern, coords: 0.0, size: 0.1, metric: 2.0 };
+            }),
+            "",
+            "it is made of flat pieces",
+        ),
+        Item::new(
+            K::SlopeMap,
+            Takes::Other("{ [FLOAT <HEIGHT, SLOPE>] … }", |e, normal, at| {
+                e.check_map(&pattern_of(&mut normal.kind).kind, at, false)?;
+                let map = e.slope_map()?;
+                normal.kind = NormalKind::Pattern(take_pattern(&mut normal.kind), Some(map));
+                Ok(())
+            }),
+            "",
+            "which height is where in the pattern",
+        ),
+        Item::new(
+            K::NormalMap,
+            Takes::Other("{ [FLOAT NORMAL] … }", normal_map),
+            "",
+            "which normal is where in the pattern",
+        ),
+        Item::new(K::BumpSize, Takes::Single(|normal| &mut normal.amount), "", "how deep bumps are"),
+        Item::since(
+            350,
+            K::Accuracy,
+            Takes::Single(|normal| &mut normal.accuracy),
+            "0.02",
+            "how far apart the places are from which slopes are taken",
+        ),
+        Item::since(
+            350,
+            K::NoBumpScale,
+            Takes::Nothing(|normal| normal.no_bump_scale = true),
+            "",
+            "bumps keep their depth when it is scaled",
+        ),
+        Item::since(
+            350,
+            K::UvMapping,
+            Takes::Other("", |e, normal, _| {
+                let pattern = Pattern { kind: PatternKind::Uv, ..take_pattern(&mut normal.kind) };
+                let inner = e.normal_items(e.defaults.layer.normal.clone())?;
+                normal.kind = NormalKind::Normals(pattern, Blend::Map(vec![MapEntry { value: 0.0, item: inner }]));
+                Ok(())
+            }),
+            "",
+            "what follows lies on the surface by its own coordinates",
+        ),
+    ],
+)
+.with(&[&FACETS, &PATTERNS, &MODIFIERS, &TURBULENCE, &OF_KINDS]);
+
+/// What only `facets` take.
+static FACETS: Block<Normal> = Block::new(
+    "facets",
+    "what facets take",
+    &[
+        Item::since(350, K::Coords, Takes::Other("FLOAT", facet), "", "pieces are equally large; how much they differ"),
+        Item::since(350, K::Size, Takes::Other("FLOAT", facet), "0.1", "how large pieces are"),
+        Item::since(350, K::Metric, Takes::Other("FLOAT", facet), "2", "how distances are measured"),
+    ],
+);
+
+pub(super) static BUMP_MAP: Block<Normal> = Block::<Normal>::new(
+    "bump_map",
+    "a picture as a normal",
+    &[Item::new(K::BumpSize, Takes::Single(|normal| &mut normal.amount), "", "how deep bumps are")],
+)
+.with(&[&MAPPING]);
+
+fn facet(e: &mut Evaluator<'_>, normal: &mut Normal, at: Word) -> SourceResult<()> {
+    let value = if at.word == K::Metric { e.vector()?.x } else { e.float()? };
+    if let NormalKind::Facets { coords, size, metric, .. } = &mut normal.kind {
+        match at.word {
+            K::Coords => *coords = value,
+            K::Size => *size = value.max(1e-6), // POV-Ray's smallest facet
+            _ => *metric = value,
+        }
+    }
+    Ok(())
+}
+
+fn normal_map(e: &mut Evaluator<'_>, normal: &mut Normal, at: Word) -> SourceResult<()> {
+    if matches!(normal.kind, NormalKind::Facets { .. }) {
+        return e.error(at.span, "facets take no normal_map");
+    }
+    e.check_map(&pattern_of(&mut normal.kind).kind, at, true)?;
+    let average = matches!(pattern_of(&mut normal.kind).kind, PatternKind::Average);
+    let map = e.normal_map(average)?;
+    normal.kind = NormalKind::Normals(take_pattern(&mut normal.kind), map);
+    Ok(())
+}
+
 impl Evaluator<'_> {
     /// `{ … }` after `normal`, starting from `start`; nothing where no pattern was given at all.
     pub(super) fn normal_block(&mut self, start: Option<Arc<Normal>>) -> SourceResult<Option<Arc<Normal>>> {
         self.open("normal")?;
         let normal = self.normal_items(start)?;
-        self.close("normal")?;
+        self.close_of(&NORMAL)?;
         Ok(Some(normal))
     }
 
@@ -49,66 +165,11 @@ impl Evaluator<'_> {
 
     fn normal_item(&mut self, normal: &mut Normal) -> SourceResult<bool> {
         self.comma()?;
-        match self.keyword()? {
-            Some(K::BumpMap) => {
-                self.next()?;
-                let pattern = take_pattern(&mut normal.kind);
-                self.bump_map(normal, pattern)?;
-            }
-            Some(K::Facets) => {
-                self.next()?;
-                let pattern = take_pattern(&mut normal.kind);
-                normal.kind = NormalKind::Facets { pattern, coords: 0.0, size: 0.1, metric: 2.0 };
-            }
-            Some(k @ (K::Coords | K::Size | K::Metric)) if matches!(normal.kind, NormalKind::Facets { .. }) => {
-                self.next()?;
-                let value = if k == K::Metric { self.vector()?.x } else { self.float()? };
-                if let NormalKind::Facets { coords, size, metric, .. } = &mut normal.kind {
-                    match k {
-                        K::Coords => *coords = value,
-                        K::Size => *size = value.max(1e-6), // POV-Ray's smallest facet
-                        _ => *metric = value,
-                    }
-                }
-            }
-            Some(K::SlopeMap) => {
-                self.check_map(&pattern_of(&mut normal.kind).kind, "slope_map", false)?;
-                self.next()?;
-                let map = self.slope_map()?;
-                normal.kind = NormalKind::Pattern(take_pattern(&mut normal.kind), Some(map));
-            }
-            Some(K::NormalMap) => {
-                if matches!(normal.kind, NormalKind::Facets { .. }) {
-                    let span = self.span();
-                    return self.error(span, "facets take no normal_map");
-                }
-                self.check_map(&pattern_of(&mut normal.kind).kind, "normal_map", true)?;
-                self.next()?;
-                let average = matches!(pattern_of(&mut normal.kind).kind, PatternKind::Average);
-                let map = self.normal_map(average)?;
-                normal.kind = NormalKind::Normals(take_pattern(&mut normal.kind), map);
-            }
-            Some(K::BumpSize) => {
-                self.next()?;
-                normal.amount = self.float()? as f32;
-            }
-            Some(K::Accuracy) => {
-                self.next()?;
-                normal.accuracy = self.float()? as f32;
-            }
-            Some(K::NoBumpScale) => {
-                self.next()?;
-                normal.no_bump_scale = true;
-            }
-            Some(K::UvMapping) => {
-                self.next()?;
-                let pattern = Pattern { kind: PatternKind::Uv, ..take_pattern(&mut normal.kind) };
-                let inner = self.normal_items(self.defaults.layer.normal.clone())?;
-                normal.kind = NormalKind::Normals(pattern, Blend::Map(vec![MapEntry { value: 0.0, item: inner }]));
-            }
-            _ => return self.normal_pattern(normal),
+        let facets = matches!(normal.kind, NormalKind::Facets { .. });
+        if self.item_of(&NORMAL, normal)? || facets && self.item_of(&FACETS, normal)? {
+            return Ok(true);
         }
-        Ok(true)
+        self.normal_pattern(normal)
     }
 
     /// A pattern keyword with an optional amount, or a pattern modifier.
@@ -156,13 +217,12 @@ impl Evaluator<'_> {
         let image = self.image()?;
         let mut mapping = Default::default();
         loop {
-            if self.accept(K::BumpSize)? {
-                normal.amount = self.float()? as f32;
-            } else if !self.image_option(&mut mapping)? {
+            self.comma()?;
+            if !self.item_of(&BUMP_MAP, normal)? && !self.item_of(&MAPPING, &mut mapping)? {
                 break;
             }
         }
-        self.close("bump_map")?;
+        self.close_of(&BUMP_MAP)?;
         pattern.kind = PatternKind::None;
         normal.kind = NormalKind::BumpMap(pattern, Arc::new((image, mapping)));
         self.comma()?;

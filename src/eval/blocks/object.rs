@@ -1,6 +1,7 @@
-//! Objects: which keyword makes which shape.
+//! Objects: copies, compounds and shapes, with what stands in their braces.
 
-use super::modifiers::MODIFIERS;
+use super::object_words::{OBJECTS, words_in};
+use super::table::Word;
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::{Evaluator, Value};
 use crate::scene::{CsgOperation, Object, PlacedTexture, Shape, Texture};
@@ -34,20 +35,21 @@ impl Evaluator<'_> {
     }
 
     fn object_in_braces(&mut self) -> SourceResult<Option<Object>> {
-        let Some(keyword) = self.keyword()?.filter(|keyword| is_object_keyword(*keyword)) else { return Ok(None) };
+        let Some(keyword) = self.keyword()?.filter(|keyword| OBJECTS.knows(*keyword)) else { return Ok(None) };
         let span = self.next()?.span;
+        let origin = self.origin(span);
         let word = keyword.word();
         self.count_object(span)?;
         self.open(word)?;
-        let mut object = self.object_start(keyword, span)?;
+        let mut object = self.object_start(keyword, span, origin)?;
         self.object_modifiers(&mut object)?;
-        self.close_as(&MODIFIERS, word)?;
+        self.close_in(keyword)?;
         self.check_object(&mut object, span)?;
         Ok(Some(object))
     }
 
     /// What stands first inside an object's braces: another object to copy, or the shape.
-    fn object_start(&mut self, keyword: K, span: Span) -> SourceResult<Object> {
+    fn object_start(&mut self, keyword: K, span: Span, origin: Span) -> SourceResult<Object> {
         let csg = csg_operation(keyword);
         let name = self.name_ahead()?;
         let known = if keyword == K::LightGroup { None } else { self.declared_object()? };
@@ -56,7 +58,7 @@ impl Evaluator<'_> {
             let children = self.csg_children(first.as_ref().map(|(_, object)| object.clone()))?;
             // One identifier alone is a copy of that object, whatever the keyword.
             if let (Some((name, object)), [_]) = (first, &children[..]) {
-                return Ok(copy_of(&object, name, span));
+                return Ok(copy_of(&object, name, origin));
             }
             if children.len() < 2 && self.version >= 150 {
                 self.warn_once(Topic::Geometry, span, "a CSG object should have at least two children");
@@ -66,10 +68,10 @@ impl Evaluator<'_> {
                 let message = "a part of this has no inside (a mesh without inside_vector, a triangle, a patch)";
                 self.warn_here(Topic::Geometry, span, message);
             }
-            return Ok(Object::new(Shape::Csg { operation, children: children.into() }, span));
+            return Ok(Object::new(Shape::Csg { operation, children: children.into() }, origin));
         }
         if let Some((name, object)) = first {
-            return Ok(copy_of(&object, name, span));
+            return Ok(copy_of(&object, name, origin));
         }
         match keyword {
             K::Object => match self.object()? {
@@ -77,11 +79,11 @@ impl Evaluator<'_> {
                 None => self.expected("an object"),
             },
             K::LightGroup => {
-                let mut group = Object::new(Shape::LightGroup { children: Arc::new([]), global_lights: false }, span);
+                let mut group = Object::new(Shape::LightGroup { children: Arc::new([]), global_lights: false }, origin);
                 self.light_group(&mut group)?;
                 Ok(group)
             }
-            _ => Ok(Object::new(self.shape(keyword, span)?, span)),
+            word => Ok(Object::new(self.whole_of(&OBJECTS, Word { word, span })?, origin)),
         }
     }
 
@@ -100,6 +102,15 @@ impl Evaluator<'_> {
             self.comma()?;
         }
         Ok(children)
+    }
+
+    /// Takes the brace that ends an object, or says what that takes.
+    fn close_in(&mut self, keyword: K) -> SourceResult<()> {
+        if !self.accept_punct('}')? {
+            return self.expected_in(words_in(keyword), &format!("'}}' to close {}", keyword.word()));
+        }
+        self.budget.shallower();
+        Ok(())
     }
 
     /// Rules that hold once the whole block is read.
@@ -142,44 +153,4 @@ fn csg_operation(keyword: K) -> Option<CsgOperation> {
         K::Difference => CsgOperation::Difference,
         _ => return None,
     })
-}
-
-pub(in crate::eval) fn is_object_keyword(keyword: K) -> bool {
-    csg_operation(keyword).is_some()
-        || matches!(
-            keyword,
-            K::BicubicPatch
-                | K::Blob
-                | K::Box
-                | K::Cone
-                | K::Cubic
-                | K::Cylinder
-                | K::Disc
-                | K::HeightField
-                | K::Isosurface
-                | K::JuliaFractal
-                | K::Lathe
-                | K::LightGroup
-                | K::LightSource
-                | K::Mesh
-                | K::Mesh2
-                | K::Object
-                | K::Ovus
-                | K::Parametric
-                | K::Plane
-                | K::Poly
-                | K::Polygon
-                | K::Polynomial
-                | K::Prism
-                | K::Quadric
-                | K::Quartic
-                | K::SmoothTriangle
-                | K::Sor
-                | K::Sphere
-                | K::SphereSweep
-                | K::Superellipsoid
-                | K::Text
-                | K::Torus
-                | K::Triangle
-        )
 }

@@ -1,15 +1,16 @@
-//! Modifiers of patterns: waves, turbulence, warps, and what belongs to one kind of pattern.
+//! Modifiers of patterns: waves, turbulence, and what belongs to one kind of pattern.
 
-use super::table::{Block, Item, Takes};
+use super::table::{Block, Item, Takes, Word};
 use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
-use crate::math::DVec3;
-use crate::scene::{BlackHole, FractalColoring, Pattern, PatternKind, Turbulence, Warp, Wave};
+use crate::scene::PatternKind as P;
+use crate::scene::{FractalColoring, Pattern, PatternKind, Turbulence, Wave};
 use crate::syntax::Keyword as K;
 
-/// Modifiers of any pattern; beside them there are [`TURBULENCE`] and what belongs to one kind of pattern.
+/// Modifiers of any pattern; beside them there are [`TURBULENCE`] and [`OF_KINDS`].
 pub(super) static MODIFIERS: Block<Pattern> = Block::moved(
     "pattern",
+    "what any pattern takes",
     |_, pattern, transform| pattern.apply(transform),
     &[
         Item::new(K::Frequency, Takes::Single(|p| &mut p.frequency), "", "how often its map is gone through"),
@@ -61,6 +62,7 @@ pub(super) static MODIFIERS: Block<Pattern> = Block::moved(
 /// How points are displaced at random.
 pub(super) static TURBULENCE: Block<Option<Turbulence>> = Block::new(
     "turbulence",
+    "how points are displaced at random",
     &[
         Item::new(
             K::Turbulence,
@@ -105,209 +107,203 @@ pub(super) static TURBULENCE: Block<Option<Turbulence>> = Block::new(
     ],
 );
 
+/// What belongs to one kind of pattern.
+pub(super) static OF_KINDS: Block<PatternKind> = Block::new(
+    "modifiers of one pattern",
+    "what only some patterns take",
+    &[
+        Item::new(
+            K::AgateTurb,
+            Takes::Other("FLOAT", |e, p, at| match p {
+                P::Agate { turbulence } => e.float().map(|value| *turbulence = value as f32),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "agate: its turbulence",
+        ),
+        Item::new(
+            K::BrickSize,
+            Takes::Other("VECTOR", |e, p, at| match p {
+                P::Brick { size, .. } => e.vector().map(|value| *size = value),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "brick: how large one is with its mortar",
+        ),
+        Item::new(
+            K::Mortar,
+            Takes::Other("FLOAT", |e, p, at| match p {
+                P::Brick { mortar, .. } => e.float().map(|value| *mortar = value as f32),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "brick: how thick it is",
+        ),
+        Item::new(
+            K::Control0,
+            Takes::Other("FLOAT", |e, p, at| match p {
+                P::Quilted { control0, .. } => e.float().map(|value| *control0 = value as f32),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "quilted: how steep cushions are at their edges",
+        ),
+        Item::new(
+            K::Control1,
+            Takes::Other("FLOAT", |e, p, at| match p {
+                P::Quilted { control1, .. } => e.float().map(|value| *control1 = value as f32),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "quilted: how steep cushions are in the middle",
+        ),
+        Item::since(
+            350,
+            K::Form,
+            Takes::Other("VECTOR | 0 to 4", |e, p, at| match p {
+                P::Crackle { form, .. } => e.vector().map(|value| *form = value),
+                P::Pavement { form, .. } => e.count().map(|value| *form = value),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "crackle: weights of the nearest points; pavement: how edges are bent",
+        ),
+        Item::since(
+            350,
+            K::Metric,
+            Takes::Other("FLOAT", |e, p, at| match p {
+                P::Crackle { metric, .. } => e.vector().map(|value| *metric = value.x),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "crackle: 1 or 2, how distances are measured",
+        ),
+        Item::since(
+            350,
+            K::Offset,
+            Takes::Other("FLOAT", |e, p, at| match p {
+                P::Crackle { offset, .. } => e.float().map(|value| *offset = value),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "crackle: how far out of the plane of points it is",
+        ),
+        Item::since(
+            350,
+            K::Solid,
+            Takes::Other("[BOOL]", |e, p, at| match p {
+                P::Crackle { solid, .. } => e.optional_bool().map(|value| *solid = value),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "crackle: the same value all over a cell",
+        ),
+        Item::since(
+            350,
+            K::Exponent,
+            Takes::Other("INTEGER", |e, p, at| match p {
+                P::Julia { exponent, .. } | P::Mandel { exponent, .. } => {
+                    let n = e.integer()?;
+                    *exponent = if (2..=33).contains(&n) { n as u32 } else { 2 };
+                    if !(2..=33).contains(&n) {
+                        e.warn(Topic::Range, at.span, "a fractal exponent outside 2 to 33 means 2");
+                    }
+                    Ok(())
+                }
+                _ => misplaced(e, at),
+            }),
+            "",
+            "julia, mandel: the power in its formula",
+        ),
+        Item::since(
+            350,
+            K::Exterior,
+            Takes::Other("0 to 8, FLOAT", |e, p, at| match p {
+                P::Julia { exterior: c, .. } | P::Mandel { exterior: c, .. } | P::Magnet { exterior: c, .. } => {
+                    coloring(e, at, 8).map(|value| *c = value)
+                }
+                P::Pavement { exterior, .. } => e.count().map(|value| *exterior = value),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "fractals: values outside, and a factor; pavement: how outer corners are cut",
+        ),
+        Item::since(
+            350,
+            K::Interior,
+            Takes::Other("0 to 6, FLOAT", |e, p, at| match p {
+                P::Julia { interior: c, .. } | P::Mandel { interior: c, .. } | P::Magnet { interior: c, .. } => {
+                    coloring(e, at, 6).map(|value| *c = value)
+                }
+                P::Pavement { interior, .. } => e.count().map(|value| *interior = value),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "fractals: values inside, and a factor; pavement: how inner corners are cut",
+        ),
+        Item::since(
+            370,
+            K::NumberOfSides,
+            Takes::Other("3 | 4 | 6", |e, p, at| match p {
+                P::Pavement { sides, .. } => e.count().map(|value| *sides = value),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "pavement: of the pieces that a tile is made of",
+        ),
+        Item::since(
+            370,
+            K::NumberOfTiles,
+            Takes::Other("INTEGER", |e, p, at| match p {
+                P::Pavement { tiles, .. } => e.count().map(|value| *tiles = value),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "pavement: pieces in a tile",
+        ),
+        Item::since(
+            370,
+            K::Pattern,
+            Takes::Other("INTEGER", |e, p, at| match p {
+                P::Pavement { pattern, .. } => e.count().map(|value| *pattern = value),
+                _ => misplaced(e, at),
+            }),
+            "",
+            "pavement: which tile of that many pieces",
+        ),
+        Item::new(
+            K::Interpolate,
+            Takes::Other("INTEGER", |e, p, at| match p {
+                P::DensityFile { interpolation, .. } => {
+                    e.integer().map(|value| *interpolation = value.rem_euclid(10) as u8)
+                }
+                _ => misplaced(e, at),
+            }),
+            "",
+            "density_file: between values, 0 not at all, 1 linearly, 2 smoothly",
+        ),
+    ],
+);
+
+fn misplaced(e: &Evaluator<'_>, at: Word) -> SourceResult<()> {
+    e.error(at.span, format!("'{}' does not belong to this pattern", at.word.word()))
+}
+
+/// `interior` and `exterior` of a fractal.
+fn coloring(e: &mut Evaluator<'_>, at: Word, most: i64) -> SourceResult<FractalColoring> {
+    let kind = e.integer()?;
+    e.comma()?;
+    if !(0..=most).contains(&kind) {
+        return e.error(at.span, format!("the fractal colouring type must be between 0 and {most}"));
+    }
+    Ok(FractalColoring { kind: kind as u32, factor: e.float()? })
+}
+
 impl Evaluator<'_> {
     /// One modifier that any pattern takes, if one comes next.
     pub(super) fn pattern_modifier(&mut self, pattern: &mut Pattern) -> SourceResult<bool> {
-        if self.item_of(&MODIFIERS, pattern)? || self.item_of(&TURBULENCE, &mut pattern.turbulence)? {
-            return Ok(true);
-        }
-        match self.keyword()? {
-            Some(keyword) => self.kind_modifier(keyword, pattern),
-            None => Ok(false),
-        }
-    }
-
-    /// A modifier that belongs to one kind of pattern.
-    fn kind_modifier(&mut self, keyword: K, pattern: &mut Pattern) -> SourceResult<bool> {
-        use PatternKind as P;
-        let span = self.span();
-        let known = matches!(
-            keyword,
-            K::AgateTurb
-                | K::BrickSize
-                | K::Mortar
-                | K::Control0
-                | K::Control1
-                | K::Form
-                | K::Metric
-                | K::Offset
-                | K::Solid
-                | K::Exponent
-                | K::Exterior
-                | K::Interior
-                | K::NumberOfSides
-                | K::NumberOfTiles
-                | K::Pattern
-        ) || (keyword == K::Interpolate && matches!(pattern.kind, P::DensityFile { .. }));
-        if !known {
-            return Ok(false);
-        }
-        self.next()?;
-        match (keyword, &mut pattern.kind) {
-            (K::AgateTurb, P::Agate { turbulence }) => *turbulence = self.float()? as f32,
-            (K::Interpolate, P::DensityFile { interpolation, .. }) => {
-                *interpolation = self.integer()?.rem_euclid(10) as u8;
-            }
-            (K::BrickSize, P::Brick { size, .. }) => *size = self.vector()?,
-            (K::Mortar, P::Brick { mortar, .. }) => *mortar = self.float()? as f32,
-            (K::Control0, P::Quilted { control0, .. }) => *control0 = self.float()? as f32,
-            (K::Control1, P::Quilted { control1, .. }) => *control1 = self.float()? as f32,
-            (K::Form, P::Crackle { form, .. }) => *form = self.vector()?,
-            (K::Metric, P::Crackle { metric, .. }) => *metric = self.vector()?.x,
-            (K::Offset, P::Crackle { offset, .. }) => *offset = self.float()?,
-            (K::Solid, P::Crackle { solid, .. }) => *solid = self.optional_bool()?,
-            (K::Exponent, P::Julia { exponent, .. } | P::Mandel { exponent, .. }) => {
-                let n = self.integer()?;
-                *exponent = if (2..=33).contains(&n) { n as u32 } else { 2 };
-                if !(2..=33).contains(&n) {
-                    self.warn(Topic::Range, span, "a fractal exponent outside 2 to 33 means 2");
-                }
-            }
-            (
-                K::Exterior,
-                P::Julia { exterior: c, .. } | P::Mandel { exterior: c, .. } | P::Magnet { exterior: c, .. },
-            )
-            | (
-                K::Interior,
-                P::Julia { interior: c, .. } | P::Mandel { interior: c, .. } | P::Magnet { interior: c, .. },
-            ) => {
-                let kind = self.integer()?;
-                self.comma()?;
-                let most = if keyword == K::Exterior { 8 } else { 6 };
-                if !(0..=most).contains(&kind) {
-                    return self.error(span, format!("the fractal colouring type must be between 0 and {most}"));
-                }
-                *c = FractalColoring { kind: kind as u32, factor: self.float()? };
-            }
-            (_, P::Pavement { sides, tiles, pattern, interior, exterior, form, .. }) => {
-                let field = match keyword {
-                    K::NumberOfSides => sides,
-                    K::NumberOfTiles => tiles,
-                    K::Pattern => pattern,
-                    K::Interior => interior,
-                    K::Exterior => exterior,
-                    _ => form,
-                };
-                *field = self.count()?;
-            }
-            _ => return self.error(span, format!("'{}' does not belong to this pattern", keyword.word())),
-        }
-        Ok(true)
-    }
-
-    /// `warp { … }`, after the word.
-    fn warp(&mut self) -> SourceResult<Warp> {
-        self.open("warp")?;
-        let span = self.span();
-        let Some(keyword) = self.keyword()? else { return self.expected("a kind of warp") };
-        let warp = match keyword {
-            K::Repeat => {
-                self.next()?;
-                self.repeat_warp()?
-            }
-            K::BlackHole => {
-                self.next()?;
-                self.black_hole()?
-            }
-            K::Turbulence | K::Octaves | K::Omega | K::Lambda => {
-                let mut turbulence = None;
-                while self.item_of(&TURBULENCE, &mut turbulence)? {}
-                Warp::Turbulence(turbulence.unwrap_or_default())
-            }
-            K::Cylindrical | K::Spherical | K::Toroidal => {
-                self.next()?;
-                self.mapping_warp(keyword)?
-            }
-            K::Planar => {
-                self.next()?;
-                let (mut orientation, mut distance) = (DVec3::Z, 0.0);
-                if self.starts_expression()? {
-                    orientation = self.vector()?.normalize_or(DVec3::Z);
-                    self.comma()?;
-                    distance = self.float()?;
-                }
-                Warp::Planar { orientation, distance }
-            }
-            K::Cubic => {
-                self.next()?;
-                Warp::Cubic
-            }
-            _ => return self.error(span, format!("'{}' is no kind of warp", keyword.word())),
-        };
-        self.close("warp")?;
-        Ok(warp)
-    }
-
-    fn repeat_warp(&mut self) -> SourceResult<Warp> {
-        let span = self.span();
-        let v = self.vector()?;
-        let axes: Vec<usize> = (0..3).filter(|&i| v[i] != 0.0).collect();
-        let [axis] = axes[..] else {
-            return self.error(span, "a repeat warp needs exactly one axis, as in 'repeat 2*x'");
-        };
-        let (mut offset, mut flip) = (DVec3::ZERO, DVec3::ZERO);
-        loop {
-            if self.accept(K::Offset)? {
-                offset = self.vector()?;
-            } else if self.accept(K::Flip)? {
-                flip = self.vector()?;
-            } else {
-                return Ok(Warp::Repeat { axis, width: v[axis] as f32, offset, flip });
-            }
-        }
-    }
-
-    fn black_hole(&mut self) -> SourceResult<Warp> {
-        let center = self.vector()?;
-        self.comma()?;
-        let radius = self.float()?;
-        let mut hole = BlackHole {
-            center,
-            radius,
-            strength: 1.0,
-            falloff: 2.0,
-            inverse: false,
-            kind: 0,
-            repeat: None,
-            turbulence: None,
-        };
-        loop {
-            self.comma()?;
-            if self.accept(K::Strength)? {
-                hole.strength = self.float()?;
-            } else if self.accept(K::Falloff)? {
-                hole.falloff = self.float()?;
-            } else if self.accept(K::Inverse)? {
-                hole.inverse = true;
-            } else if self.accept(K::Type)? {
-                hole.kind = self.integer()? as i32;
-            } else if self.accept(K::Repeat)? {
-                hole.repeat = Some(self.vector()?);
-            } else if self.accept(K::Turbulence)? {
-                hole.turbulence = Some(self.vector()?);
-            } else {
-                return Ok(Warp::BlackHole(hole));
-            }
-        }
-    }
-
-    fn mapping_warp(&mut self, keyword: K) -> SourceResult<Warp> {
-        let (mut orientation, mut dist_exp, mut major_radius) = (DVec3::Z, 0.0, 1.0);
-        loop {
-            if self.accept(K::Orientation)? {
-                orientation = self.vector()?.normalize_or(DVec3::Z);
-            } else if self.accept(K::DistExp)? {
-                dist_exp = self.float()?;
-            } else if self.accept(K::MajorRadius)? {
-                major_radius = self.float()?;
-            } else {
-                break;
-            }
-        }
-        Ok(match keyword {
-            K::Cylindrical => Warp::Cylindrical { orientation, dist_exp },
-            K::Spherical => Warp::Spherical { orientation, dist_exp },
-            _ => Warp::Toroidal { orientation, dist_exp, major_radius },
-        })
+        Ok(self.item_of(&MODIFIERS, pattern)?
+            || self.item_of(&TURBULENCE, &mut pattern.turbulence)?
+            || self.item_of(&OF_KINDS, &mut pattern.kind)?)
     }
 }

@@ -1,5 +1,10 @@
 //! `pigment { … }`.
 
+use super::colors::COLORS;
+use super::image::MAPPING;
+use super::pattern::PATTERNS;
+use super::pattern_modifiers::{MODIFIERS, OF_KINDS, TURBULENCE};
+use super::table::{Block, Item, Takes, Word};
 use crate::diag::{SourceResult, Span};
 use crate::eval::{Evaluator, Value};
 use crate::math::Color;
@@ -12,7 +17,7 @@ use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
 /// A pigment while it is being read: what is written changes one part and keeps the rest.
-struct Draft {
+pub(super) struct Draft {
     pattern: Pattern,
     content: Content,
     /// The map under a plain colour or a picture.
@@ -121,12 +126,113 @@ fn entries<T>(blend: Blend<T>) -> Option<Vec<MapEntry<T>>> {
     }
 }
 
+pub(super) static PIGMENT: Block<Draft> = Block::<Draft>::new(
+    "pigment",
+    "colours of a surface",
+    &[
+        Item::spelt(
+            K::ColourMap,
+            K::ColorMap,
+            Takes::Other("{ [FLOAT COLOUR] … }", |e, draft, at| {
+                e.check_pigment_map(draft, at, false)?;
+                draft.content = Content::Map(PigmentMap::colors(Blend::Map(e.color_map()?)));
+                Ok(())
+            }),
+            "",
+            "which colour is where in the pattern",
+        ),
+        Item::new(
+            K::PigmentMap,
+            Takes::Other("{ [FLOAT PIGMENT] … }", |e, draft, at| {
+                e.check_pigment_map(draft, at, true)?;
+                let average = matches!(draft.pattern.kind, PatternKind::Average);
+                draft.content = Content::Map(PigmentMap::pigments(e.pigment_map(average)?));
+                Ok(())
+            }),
+            "",
+            "which pigment is where in the pattern",
+        ),
+        Item::new(
+            K::ImageMap,
+            Takes::Other("{ IMAGE … }", |e, draft, _| {
+                let image = Content::Image(Arc::new(e.image_map()?));
+                draft.hide_map(image);
+                Ok(())
+            }),
+            "",
+            "a picture",
+        ),
+        Item::since(
+            350,
+            K::UvMapping,
+            Takes::Other("", |e, draft, _| {
+                // All that follows is of another pigment, which starts from the `#default` one (measured).
+                let inner = e.pigment_items((*e.defaults.layer.pigment).clone())?;
+                let map = Blend::Map(vec![MapEntry { value: 0.0, item: Arc::new(inner) }]);
+                draft.content = Content::Map(PigmentMap::pigments(map));
+                draft.pattern.kind = PatternKind::Uv;
+                Ok(())
+            }),
+            "",
+            "what follows lies on the surface by its own coordinates",
+        ),
+        Item::spelt(
+            K::QuickColour,
+            K::QuickColor,
+            Takes::Other("COLOUR", |e, draft, _| {
+                draft.quick_color = Some(e.color()?);
+                Ok(())
+            }),
+            "",
+            "its colour at low quality",
+        ),
+    ],
+)
+.with(&[&COLORS, &PATTERNS, &MODIFIERS, &TURBULENCE, &OF_KINDS]);
+
+pub(super) static IMAGE_MAP: Block<ImageMap> = Block::<ImageMap>::new(
+    "image_map",
+    "a picture as a pigment",
+    &[
+        Item::new(
+            K::Filter,
+            Takes::Other("all FLOAT | NUMBER, FLOAT", transparency),
+            "",
+            "filter of all colours, or of one by its number",
+        ),
+        Item::new(
+            K::Transmit,
+            Takes::Other("all FLOAT | NUMBER, FLOAT", transparency),
+            "",
+            "transmit of all colours, or of one by its number",
+        ),
+        // Unlike its kin, it refuses projections that it does not know.
+        Item::new(
+            K::MapType,
+            Takes::Other("INTEGER", |e, map, _| {
+                let span = e.span();
+                map.mapping.map_type = match e.integer()? {
+                    0 => MapType::Planar,
+                    1 => MapType::Spherical,
+                    2 => MapType::Cylindrical,
+                    5 => MapType::Torus,
+                    n => return e.error(span, format!("there is no map_type {n}; use 0, 1, 2 or 5")),
+                };
+                Ok(())
+            }),
+            "0",
+            "0 flat, 1 around a sphere, 2 around a cylinder, 5 around a torus",
+        ),
+    ],
+)
+.with(&[&MAPPING]);
+
 impl Evaluator<'_> {
     /// `{ … }` after `pigment`, starting from `start`.
     pub(super) fn pigment_block(&mut self, start: Pigment) -> SourceResult<Pigment> {
         self.open("pigment")?;
         let pigment = self.pigment_items(start)?;
-        self.close("pigment")?;
+        self.close_of(&PIGMENT)?;
         Ok(pigment)
     }
 
@@ -149,41 +255,8 @@ impl Evaluator<'_> {
     }
 
     fn pigment_item(&mut self, draft: &mut Draft) -> SourceResult<bool> {
-        match self.keyword()? {
-            Some(K::ImageMap) => {
-                self.next()?;
-                let image = Content::Image(Arc::new(self.image_map()?));
-                draft.hide_map(image);
-                return Ok(true);
-            }
-            Some(K::ColorMap | K::ColourMap) => {
-                self.check_pigment_map(draft, "color_map", false)?;
-                self.next()?;
-                draft.content = Content::Map(PigmentMap::colors(Blend::Map(self.color_map()?)));
-                return Ok(true);
-            }
-            Some(K::PigmentMap) => {
-                self.check_pigment_map(draft, "pigment_map", true)?;
-                self.next()?;
-                let average = matches!(draft.pattern.kind, PatternKind::Average);
-                draft.content = Content::Map(PigmentMap::pigments(self.pigment_map(average)?));
-                return Ok(true);
-            }
-            Some(K::QuickColor | K::QuickColour) => {
-                self.next()?;
-                draft.quick_color = Some(self.color()?);
-                return Ok(true);
-            }
-            Some(K::UvMapping) => {
-                self.next()?;
-                // All that follows is of another pigment, which starts from the `#default` one (measured).
-                let inner = self.pigment_items((*self.defaults.layer.pigment).clone())?;
-                let map = Blend::Map(vec![MapEntry { value: 0.0, item: Arc::new(inner) }]);
-                draft.content = Content::Map(PigmentMap::pigments(map));
-                draft.pattern.kind = PatternKind::Uv;
-                return Ok(true);
-            }
-            _ => {}
+        if self.item_of(&PIGMENT, draft)? {
+            return Ok(true);
         }
         let mut list = None;
         let mut read_list = |e: &mut Evaluator, n: usize| {
@@ -202,12 +275,12 @@ impl Evaluator<'_> {
         self.pattern_modifier(&mut draft.pattern)
     }
 
-    fn check_pigment_map(&mut self, draft: &Draft, what: &str, averages: bool) -> SourceResult<()> {
+    fn check_pigment_map(&self, draft: &Draft, at: Word, averages: bool) -> SourceResult<()> {
         if matches!(draft.content, Content::Solid(_) | Content::Image(_)) {
-            let span = self.span();
-            return self.error(span, format!("a {what} needs a pattern that runs from 0 to 1 before it"));
+            let what = at.word.word();
+            return self.error(at.span, format!("a {what} needs a pattern that runs from 0 to 1 before it"));
         }
-        self.check_map(&draft.pattern.kind, what, averages)
+        self.check_map(&draft.pattern.kind, at, averages)
     }
 
     /// The items of a block pattern: all colours or all pigments.
@@ -244,46 +317,27 @@ impl Evaluator<'_> {
             transmit_all: None,
         };
         loop {
-            if self.keyword()? == Some(K::MapType) {
-                self.image_map_type(&mut map)?;
-            } else if !self.image_option(&mut map.mapping)? && !self.image_transparency(&mut map)? {
+            self.comma()?;
+            if !self.item_of(&IMAGE_MAP, &mut map)? && !self.item_of(&MAPPING, &mut map.mapping)? {
                 break;
             }
         }
-        self.close("image_map")?;
+        self.close_of(&IMAGE_MAP)?;
         Ok(map)
     }
+}
 
-    /// Unlike its kin, `image_map` refuses projections that it does not know.
-    fn image_map_type(&mut self, map: &mut ImageMap) -> SourceResult<()> {
-        self.next()?;
-        let span = self.span();
-        map.mapping.map_type = match self.integer()? {
-            0 => MapType::Planar,
-            1 => MapType::Spherical,
-            2 => MapType::Cylindrical,
-            5 => MapType::Torus,
-            n => return self.error(span, format!("there is no map_type {n}; use 0, 1, 2 or 5")),
-        };
-        Ok(())
+/// `filter` and `transmit` of a picture: of all its colours, or of one by its number.
+fn transparency(e: &mut Evaluator<'_>, map: &mut ImageMap, at: Word) -> SourceResult<()> {
+    let filter = at.word == K::Filter;
+    if e.accept(K::All)? {
+        let value = Some(e.float()? as f32);
+        *(if filter { &mut map.filter_all } else { &mut map.transmit_all }) = value;
+        return Ok(());
     }
-
-    fn image_transparency(&mut self, map: &mut ImageMap) -> SourceResult<bool> {
-        let filter = match self.keyword()? {
-            Some(K::Filter) => true,
-            Some(K::Transmit) => false,
-            _ => return Ok(false),
-        };
-        self.next()?;
-        if self.accept(K::All)? {
-            let value = Some(self.float()? as f32);
-            *(if filter { &mut map.filter_all } else { &mut map.transmit_all }) = value;
-            return Ok(true);
-        }
-        let index = self.integer()?.clamp(0, i64::from(u32::MAX)) as u32;
-        self.comma()?;
-        let value = self.float()? as f32;
-        (if filter { &mut map.palette_filter } else { &mut map.palette_transmit }).push((index, value));
-        Ok(true)
-    }
+    let index = e.integer()?.clamp(0, i64::from(u32::MAX)) as u32;
+    e.comma()?;
+    let value = e.float()? as f32;
+    (if filter { &mut map.palette_filter } else { &mut map.palette_transmit }).push((index, value));
+    Ok(())
 }

@@ -9,6 +9,7 @@ use crate::syntax::Keyword as K;
 /// They change the scene at once, since what is read behind them may ask for them.
 pub(super) static GLOBAL_SETTINGS: Block<()> = Block::new(
     "global_settings",
+    "what holds for the whole scene",
     &[
         Item::new(
             K::AssumedGamma,

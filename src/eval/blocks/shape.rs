@@ -1,16 +1,28 @@
-//! The fixed parameters of each shape, and what can be asked of shapes while reading.
+//! The fixed parameters of simple shapes, and what can be asked of shapes while reading.
 
+use super::modifiers::MODIFIERS;
+use super::table::{Block, Item, Takes};
 use crate::diag::{SourceResult, Span, Topic};
 use crate::eval::Evaluator;
-use crate::math::{DVec2, DVec3, unit};
-use crate::scene::{CsgOperation, Shape, SmoothTriangle, SweepSpline};
+use crate::math::{DVec3, unit};
+use crate::scene::{CsgOperation, Shape, SmoothTriangle};
 use crate::syntax::Keyword as K;
 use std::sync::Arc;
 
 /// POV-Ray's highest order of a polynomial.
 const MAX_ORDER: i64 = 35;
-/// Below this a cylinder's or cone's axis counts as no axis, as in POV-Ray; of one smaller than 1, in units of its size.
-const POV_DEGENERATE: f64 = 1e-10;
+/// Below this an axis counts as no axis, and two points of a sor have the same height, as in POV-Ray; of what is smaller
+/// than 1, in units of its size.
+pub(super) const POV_DEGENERATE: f64 = 1e-10;
+
+/// What has two ends may be without them; the word stands before any other.
+pub(super) const OPEN: Item<bool> = Item::new(K::Open, Takes::Nothing(|open| *open = true), "", "without its ends");
+
+pub(super) static CYLINDER: Block<bool> =
+    Block::<bool>::new("cylinder", "what is round about an axis", &[OPEN]).with(&[&MODIFIERS]);
+
+pub(super) static CONE: Block<bool> =
+    Block::<bool>::new("cone", "a cone, or what is left without its tip", &[OPEN]).with(&[&MODIFIERS]);
 
 /// Whether the ends of an axis count as the same point, where a shape has such radii.
 fn is_degenerate(ends: [DVec3; 2], radii: [f64; 2]) -> bool {
@@ -20,77 +32,47 @@ fn is_degenerate(ends: [DVec3; 2], radii: [f64; 2]) -> bool {
 }
 
 impl Evaluator<'_> {
-    /// The parameters of a shape, after its opening brace.
-    pub(super) fn shape(&mut self, keyword: K, span: Span) -> SourceResult<Shape> {
-        Ok(match keyword {
-            K::Sphere => {
-                let center = self.vector()?;
+    pub(super) fn sphere(&mut self) -> SourceResult<Shape> {
+        let center = self.vector()?;
+        self.comma()?;
+        Ok(Shape::Sphere { center, radius: self.float()? })
+    }
+
+    pub(super) fn box_between(&mut self) -> SourceResult<Shape> {
+        let corner1 = self.vector()?;
+        self.comma()?;
+        Ok(Shape::Box { corner1, corner2: self.vector()? })
+    }
+
+    pub(super) fn torus(&mut self) -> SourceResult<Shape> {
+        let major = self.float()?;
+        self.comma()?;
+        Ok(Shape::Torus { major, minor: self.float()?, sturm: false })
+    }
+
+    pub(super) fn superellipsoid(&mut self) -> SourceResult<Shape> {
+        let e = self.vector2()?;
+        Ok(Shape::Superellipsoid { east_west: e.x, north_south: e.y })
+    }
+
+    pub(super) fn triangle(&mut self, span: Span) -> SourceResult<Shape> {
+        let vertices = self.three_vectors()?;
+        self.warn_degenerate(vertices, span);
+        Ok(Shape::Triangle { vertices })
+    }
+
+    pub(super) fn smooth_triangle(&mut self, span: Span) -> SourceResult<Shape> {
+        let (mut vertices, mut normals) = ([DVec3::ZERO; 3], [DVec3::ZERO; 3]);
+        for i in 0..3 {
+            vertices[i] = self.vector()?;
+            self.comma()?;
+            normals[i] = self.vector()?.normalize_or_zero();
+            if i < 2 {
                 self.comma()?;
-                Shape::Sphere { center, radius: self.float()? }
             }
-            K::Box => {
-                let corner1 = self.vector()?;
-                self.comma()?;
-                Shape::Box { corner1, corner2: self.vector()? }
-            }
-            K::Plane => self.plane(span)?,
-            K::Cylinder => self.cylinder(span)?,
-            K::Cone => self.cone(span)?,
-            K::Disc => self.disc()?,
-            K::Torus => {
-                let major = self.float()?;
-                self.comma()?;
-                Shape::Torus { major, minor: self.float()?, sturm: false }
-            }
-            K::Ovus => self.ovus(span)?,
-            K::Quadric => self.quadric()?,
-            K::Cubic => self.polynomial_list(3)?,
-            K::Quartic => self.polynomial_list(4)?,
-            K::Poly => {
-                let order = self.polynomial_order()?;
-                self.comma()?;
-                self.polynomial_list(order)?
-            }
-            K::Polynomial => self.polynomial_terms()?,
-            K::Superellipsoid => {
-                let e = self.vector2()?;
-                Shape::Superellipsoid { east_west: e.x, north_south: e.y }
-            }
-            K::Polygon => self.polygon(span)?,
-            K::Triangle => {
-                let vertices = self.three_vectors()?;
-                self.warn_degenerate(vertices, span);
-                Shape::Triangle { vertices }
-            }
-            K::SmoothTriangle => {
-                let (mut vertices, mut normals) = ([DVec3::ZERO; 3], [DVec3::ZERO; 3]);
-                for i in 0..3 {
-                    vertices[i] = self.vector()?;
-                    self.comma()?;
-                    normals[i] = self.vector()?.normalize_or_zero();
-                    if i < 2 {
-                        self.comma()?;
-                    }
-                }
-                self.warn_degenerate(vertices, span);
-                Shape::SmoothTriangle(Box::new(SmoothTriangle { vertices, normals }))
-            }
-            K::LightSource => self.light_source()?,
-            K::Mesh => self.mesh(span)?,
-            K::Mesh2 => self.mesh2(span)?,
-            K::HeightField => self.height_field()?,
-            K::Blob => self.blob(span)?,
-            K::BicubicPatch => self.bicubic_patch(span)?,
-            K::Prism => self.prism(span)?,
-            K::Lathe => self.lathe(span)?,
-            K::Sor => self.sor(span)?,
-            K::SphereSweep => self.sphere_sweep(span)?,
-            K::Text => self.text(span)?,
-            K::Isosurface => self.isosurface()?,
-            K::Parametric => self.parametric()?,
-            K::JuliaFractal => self.julia_fractal()?,
-            _ => return self.error(span, format!("'{}' is no shape", keyword.word())),
-        })
+        }
+        self.warn_degenerate(vertices, span);
+        Ok(Shape::SmoothTriangle(Box::new(SmoothTriangle { vertices, normals })))
     }
 
     pub(super) fn three_vectors(&mut self) -> SourceResult<[DVec3; 3]> {
@@ -107,7 +89,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn plane(&mut self, span: Span) -> SourceResult<Shape> {
+    pub(super) fn plane(&mut self, span: Span) -> SourceResult<Shape> {
         let normal = self.vector()?;
         self.comma()?;
         let distance = self.float()?;
@@ -117,7 +99,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn cylinder(&mut self, span: Span) -> SourceResult<Shape> {
+    pub(super) fn cylinder(&mut self, span: Span) -> SourceResult<Shape> {
         let base = self.vector()?;
         self.comma()?;
         let cap = self.vector()?;
@@ -126,10 +108,12 @@ impl Evaluator<'_> {
         if is_degenerate([base, cap], [radius; 2]) {
             return self.error(span, "the two ends of a cylinder must not be the same point");
         }
-        Ok(Shape::Cylinder { base, cap, radius, open: self.accept(K::Open)? })
+        let mut open = false;
+        self.item_of(&CYLINDER, &mut open)?;
+        Ok(Shape::Cylinder { base, cap, radius, open })
     }
 
-    fn cone(&mut self, span: Span) -> SourceResult<Shape> {
+    pub(super) fn cone(&mut self, span: Span) -> SourceResult<Shape> {
         let base = self.vector()?;
         self.comma()?;
         let base_radius = self.float()?;
@@ -140,10 +124,12 @@ impl Evaluator<'_> {
         if is_degenerate([base, cap], [base_radius, cap_radius]) {
             return self.error(span, "the two ends of a cone must not be the same point");
         }
-        Ok(Shape::Cone { base, base_radius, cap, cap_radius, open: self.accept(K::Open)? })
+        let mut open = false;
+        self.item_of(&CONE, &mut open)?;
+        Ok(Shape::Cone { base, base_radius, cap, cap_radius, open })
     }
 
-    fn disc(&mut self) -> SourceResult<Shape> {
+    pub(super) fn disc(&mut self) -> SourceResult<Shape> {
         let center = self.vector()?;
         self.comma()?;
         let normal = self.vector()?;
@@ -159,7 +145,7 @@ impl Evaluator<'_> {
         Ok(Shape::Disc { center, normal, radius, hole_radius })
     }
 
-    fn ovus(&mut self, span: Span) -> SourceResult<Shape> {
+    pub(super) fn ovus(&mut self, span: Span) -> SourceResult<Shape> {
         let bottom_radius = self.float()?;
         self.comma()?;
         let top_radius = self.float()?;
@@ -173,13 +159,13 @@ impl Evaluator<'_> {
         Ok(Shape::Ovus { bottom_radius, top_radius, sturm: false })
     }
 
-    fn quadric(&mut self) -> SourceResult<Shape> {
+    pub(super) fn quadric(&mut self) -> SourceResult<Shape> {
         let [squares, products, linear] = self.three_vectors()?;
         self.comma()?;
         Ok(Shape::Quadric { squares, products, linear, constant: self.float()? })
     }
 
-    fn polynomial_order(&mut self) -> SourceResult<u32> {
+    pub(super) fn polynomial_order(&mut self) -> SourceResult<u32> {
         let span = self.span();
         match self.integer()? {
             n @ 2..=MAX_ORDER => Ok(n as u32),
@@ -187,7 +173,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn polynomial_list(&mut self, order: u32) -> SourceResult<Shape> {
+    pub(super) fn polynomial_list(&mut self, order: u32) -> SourceResult<Shape> {
         self.expect_punct('<', "before the coefficients")?;
         let n = n_coefficients(order);
         let mut coefficients = Vec::with_capacity(n);
@@ -201,7 +187,7 @@ impl Evaluator<'_> {
         Ok(Shape::Polynomial { order, coefficients: coefficients.into(), sturm: false })
     }
 
-    fn polynomial_terms(&mut self) -> SourceResult<Shape> {
+    pub(super) fn polynomial_terms(&mut self) -> SourceResult<Shape> {
         let order = self.polynomial_order()?;
         let mut coefficients = vec![0.0; n_coefficients(order)];
         loop {
@@ -229,7 +215,7 @@ impl Evaluator<'_> {
         Ok(Shape::Polynomial { order, coefficients: coefficients.into(), sturm: false })
     }
 
-    fn polygon(&mut self, span: Span) -> SourceResult<Shape> {
+    pub(super) fn polygon(&mut self, span: Span) -> SourceResult<Shape> {
         let n = self.integer()?;
         if n < 3 {
             return self.error(span, "a polygon needs at least three points");
@@ -237,27 +223,6 @@ impl Evaluator<'_> {
         self.comma()?;
         let points = self.vector_list(n as usize)?;
         Ok(Shape::Polygon { points: points.into() })
-    }
-
-    /// `linear_spline` and its kin, if one comes next.
-    pub(super) fn sweep_spline(&mut self) -> SourceResult<Option<SweepSpline>> {
-        let spline = match self.keyword()? {
-            Some(K::LinearSpline) => SweepSpline::Linear,
-            Some(K::QuadraticSpline) => SweepSpline::Quadratic,
-            Some(K::CubicSpline) => SweepSpline::Cubic,
-            Some(K::BezierSpline) => SweepSpline::Bezier,
-            Some(K::BSpline) => SweepSpline::B,
-            _ => return Ok(None),
-        };
-        self.next()?;
-        Ok(Some(spline))
-    }
-
-    /// `n, <a, b>, …`: the count and that many points.
-    pub(super) fn counted_points(&mut self) -> SourceResult<Vec<DVec2>> {
-        let n = self.integer()?.max(0) as usize;
-        self.comma()?;
-        self.vector2_list(n)
     }
 }
 

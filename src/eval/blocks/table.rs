@@ -1,17 +1,20 @@
 //! Blocks as tables: which words they take, with what behind each, its default, since when, and what it does.
 //!
 //! A table reads the block, says what else could have stood there, and is what documentation and completion are made of
-//! ([`described`](super::described)).
+//! ([`described`](super::described())). What has no word but its place (the centre of a sphere) stands in what the block's own
+//! word takes; words that several blocks have in common are a table that is [part](Block::with) of theirs.
 //!
 //! ```text
-//! static FOG: Block<Fog> = Block::new("fog", &[
+//! static FOG: Block<Fog> = Block::<Fog>::new("fog", "haze that hides what is far away", &[
 //!     Item::new(K::Distance, Takes::Float(|fog| &mut fog.distance), "0", "how far one sees"),
-//! ]);
+//! ])
+//! .with(&[&TURBULENCE]);
 //! while evaluator.item_of(&FOG, &mut fog)? {}
 //! evaluator.close_of(&FOG)
 //! ```
 
-use crate::diag::{Diagnostic, SourceResult, Span, completed, nearest};
+use super::described::{Described, TRANSFORMATIONS, Table};
+use crate::diag::{SourceResult, Span};
 use crate::eval::Evaluator;
 use crate::math::{DVec3, Rgb, Transform};
 use crate::syntax::{Keyword, TokenKind};
@@ -20,11 +23,14 @@ use crate::syntax::{Keyword, TokenKind};
 pub(in crate::eval) struct Block<T: 'static> {
     /// The word before its brace, as messages call it.
     name: &'static str,
+    help: &'static str,
     items: &'static [Item<T>],
     /// For each keyword the number of its item, counted from 1.
     numbers: [u8; Keyword::ALL.len()],
     /// What a transformation does to it, if it takes any.
     moves: Option<Move<T>>,
+    /// What else it takes, which other tables read.
+    parts: &'static [&'static dyn Table],
 }
 
 /// Moves what a block makes.
@@ -57,6 +63,10 @@ pub(super) enum Takes<T> {
     Amount(fn(&mut T) -> &mut f32),
     /// Nothing.
     Nothing(fn(&mut T)),
+    /// What makes all of the target, in the manual's words.
+    Whole(&'static str, fn(&mut Evaluator<'_>, Word) -> SourceResult<T>),
+    /// Something that is read elsewhere, in the manual's words.
+    Elsewhere(&'static str),
     /// Something else, in the manual's words.
     Other(&'static str, Read<T>),
 }
@@ -107,15 +117,16 @@ impl<T> Item<T> {
             Takes::Switch(_) => "[BOOL]",
             Takes::Amount(_) => "[FLOAT]",
             Takes::Nothing(_) => "",
-            Takes::Other(takes, _) => takes,
+            Takes::Elsewhere(takes) | Takes::Whole(takes, _) | Takes::Other(takes, _) => takes,
         };
-        Described { word: self.word.word(), takes, default: self.default, since: self.since, help: self.help }
+        let alias = self.alias.map(Keyword::word);
+        Described { word: self.word.word(), alias, takes, default: self.default, since: self.since, help: self.help }
     }
 }
 
 impl<T> Block<T> {
     /// Of these words.
-    pub(super) const fn new(name: &'static str, items: &'static [Item<T>]) -> Self {
+    pub(super) const fn new(name: &'static str, help: &'static str, items: &'static [Item<T>]) -> Self {
         let mut numbers = [0; Keyword::ALL.len()];
         let mut i = 0;
         while i < items.len() {
@@ -126,12 +137,28 @@ impl<T> Block<T> {
             }
             i += 1;
         }
-        Self { name, items, numbers, moves: None }
+        Self { name, help, items, numbers, moves: None, parts: &[] }
     }
 
     /// Of these words and transformations.
-    pub(super) const fn moved(name: &'static str, moves: Move<T>, items: &'static [Item<T>]) -> Self {
-        Self { moves: Some(moves), ..Self::new(name, items) }
+    pub(super) const fn moved(
+        name: &'static str,
+        help: &'static str,
+        moves: Move<T>,
+        items: &'static [Item<T>],
+    ) -> Self {
+        Self { moves: Some(moves), ..Self::new(name, help, items) }
+    }
+
+    /// The same with words that are in other tables.
+    pub(super) const fn with(self, parts: &'static [&'static dyn Table]) -> Self {
+        Self { parts, ..self }
+    }
+
+    /// Whether this is one of its own words.
+    #[inline]
+    pub(super) fn knows(&self, word: Keyword) -> bool {
+        self.numbers[word as usize] != 0
     }
 
     #[inline]
@@ -141,80 +168,23 @@ impl<T> Block<T> {
     }
 }
 
-/// A word of a block, for people.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Described {
-    /// The word.
-    pub word: &'static str,
-    /// What stands behind it, in the words of the manual; brackets around what may be left out.
-    pub takes: &'static str,
-    /// What holds without it, if that can be written down.
-    pub default: &'static str,
-    /// The version it came with, in hundredths; 0 for what was always there.
-    pub since: u32,
-    /// What it does, in one line.
-    pub help: &'static str,
-}
-
-/// Words that every block takes which can be moved.
-const TRANSFORMATIONS: &[Described] = &[
-    Described { word: "translate", takes: "VECTOR", default: "", since: 0, help: "moves it" },
-    Described {
-        word: "rotate",
-        takes: "VECTOR",
-        default: "",
-        since: 0,
-        help: "turns it about x, then y, then z, in degrees",
-    },
-    Described { word: "scale", takes: "VECTOR", default: "", since: 0, help: "stretches it along the axes" },
-    Described {
-        word: "matrix",
-        takes: "<12 FLOATS>",
-        default: "",
-        since: 0,
-        help: "moves it as the images of x, y, z and 0 say",
-    },
-    Described {
-        word: "transform",
-        takes: "{ items }",
-        default: "",
-        since: 0,
-        help: "moves it as several transformations do",
-    },
-];
-
-/// A table, whatever it makes.
-pub(in crate::eval) trait Table: Sync {
-    /// The word before its brace.
-    fn name(&self) -> &'static str;
-    /// Its words, in the order of the table.
-    fn words(&self) -> Vec<Described>;
-}
-
 impl<T> Table for Block<T> {
     fn name(&self) -> &'static str {
         self.name
     }
 
-    fn words(&self) -> Vec<Described> {
+    fn help(&self) -> &'static str {
+        self.help
+    }
+
+    fn own_words(&self) -> Vec<Described> {
         let moving = if self.moves.is_some() { TRANSFORMATIONS } else { &[] };
         self.items.iter().map(Item::described).chain(moving.iter().copied()).collect()
     }
-}
 
-/// What may have been meant by a word that a block does not know.
-pub(in crate::eval) fn meant_in(table: &dyn Table, word: &str) -> Option<String> {
-    let words = table.words();
-    let words = || words.iter().map(|described| described.word);
-    let near = nearest(word, words()).or_else(|| completed(word, words()))?;
-    Some(format!("did you mean '{near}'?"))
-}
-
-/// What a block takes.
-pub(in crate::eval) fn words_of(table: &dyn Table) -> String {
-    let mut words: Vec<_> = table.words().iter().map(|described| described.word).collect();
-    words.sort_unstable();
-    format!("{} takes {}", table.name(), words.join(", "))
+    fn parts(&self) -> &'static [&'static dyn Table] {
+        self.parts
+    }
 }
 
 /// All of these run directives and macro calls first and fail with what those fail with.
@@ -246,6 +216,8 @@ impl Evaluator<'_> {
             Takes::Switch(field) => *field(target) = self.optional_bool()?,
             Takes::Amount(field) => *field(target) = self.optional_amount()?,
             Takes::Nothing(act) => act(target),
+            Takes::Whole(_, make) => *target = make(self, at)?,
+            Takes::Elsewhere(_) => return self.misplaced(at),
             Takes::Other(_, read) => read(self, target, at)?,
         }
         Ok(())
@@ -254,6 +226,20 @@ impl Evaluator<'_> {
     /// The same for a word that another block has taken.
     pub(super) fn item_behind<T>(&mut self, block: &Block<T>, target: &mut T, at: Word) -> SourceResult<()> {
         block.item(at.word).map_or(Ok(()), |item| self.read_item(item, target, at))
+    }
+
+    /// What a word that was taken makes as a whole.
+    #[inline]
+    pub(super) fn whole_of<T>(&mut self, block: &Block<T>, at: Word) -> SourceResult<T> {
+        match block.item(at.word).map(|item| &item.takes) {
+            Some(Takes::Whole(_, make)) => make(self, at),
+            _ => self.misplaced(at),
+        }
+    }
+
+    #[cold]
+    fn misplaced<T>(&self, at: Word) -> SourceResult<T> {
+        self.error(at.span, format!("'{}' cannot stand here", at.word.word()))
     }
 
     /// Reads all items of a block, with or without commas behind them.
@@ -266,13 +252,8 @@ impl Evaluator<'_> {
 
     /// Takes the `}` of a block, or says what it takes.
     pub(super) fn close_of<T>(&mut self, block: &Block<T>) -> SourceResult<()> {
-        self.close_as(block, block.name)
-    }
-
-    /// The same for one of several blocks that end in the same words.
-    pub(super) fn close_as<T>(&mut self, block: &Block<T>, name: &str) -> SourceResult<()> {
         if !self.accept_punct('}')? {
-            return self.expected_in(block, &format!("'}}' to close {name}"));
+            return self.expected_in(block, &format!("'}}' to close {}", block.name));
         }
         self.budget.shallower();
         Ok(())
@@ -284,38 +265,15 @@ impl Evaluator<'_> {
     }
 }
 
-/// The errors of something that was expected in a block, with advice from its table.
-pub(in crate::eval) fn with_words(
-    mut errors: Vec<Diagnostic>,
-    table: &dyn Table,
-    found: Option<&str>,
-) -> Vec<Diagnostic> {
-    if let Some(error) = errors.first_mut() {
-        if let Some(meant) = found.and_then(|word| meant_in(table, word)) {
-            error.hints = vec![meant];
-        }
-        // Words of the language that only other blocks take help nobody.
-        error.hints.retain(|hint| {
-            let word = hint.strip_prefix("did you mean '").and_then(|rest| rest.split('\'').next());
-            let keyword = word.filter(|word| Keyword::from_word(word).is_some());
-            keyword.is_none_or(|keyword| table.words().iter().any(|described| described.word == keyword))
-        });
-        if error.hints.is_empty() {
-            error.hints.push(words_of(table));
-        }
-    }
-    errors
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Block, Item, Table, Takes, meant_in, with_words, words_of};
-    use crate::diag::{Diagnostic, Span};
+    use super::{Block, Item, Table, Takes};
     use crate::syntax::Keyword as K;
 
     /// A block that can be read without anything.
     static LAMP: Block<(f64, bool)> = Block::new(
         "lamp",
+        "a light that can be held",
         &[
             Item::since(350, K::Radius, Takes::Float(|lamp| &mut lamp.0), "1", "how large it is"),
             Item::spelt(K::Colour, K::Color, Takes::Switch(|lamp| &mut lamp.1), "off", "whether it is coloured"),
@@ -331,15 +289,5 @@ mod tests {
         );
         let radius = LAMP.words()[0];
         assert_eq!((radius.word, radius.takes, radius.default, radius.since), ("radius", "FLOAT", "1", 350));
-    }
-
-    #[test]
-    fn tables_say_what_could_have_stood_there() {
-        assert_eq!(meant_in(&LAMP, "raduis"), Some("did you mean 'radius'?".into()));
-        assert_eq!(words_of(&LAMP), "lamp takes color, radius");
-        let hints = |found| with_words(vec![Diagnostic::error(Span::default(), "wrong")], &LAMP, found).remove(0).hints;
-        assert_eq!(hints(Some("colr")), ["did you mean 'color'?"]);
-        assert_eq!(hints(Some("spere")), ["lamp takes color, radius"]);
-        assert_eq!(hints(None), ["lamp takes color, radius"]);
     }
 }

@@ -1,5 +1,7 @@
 //! `texture { … }`.
 
+use super::pattern::PATTERNS;
+use super::pattern_modifiers::{MODIFIERS, OF_KINDS, TURBULENCE};
 use super::table::{Block, Item, Takes};
 use crate::diag::SourceResult;
 use crate::eval::{Evaluator, Value};
@@ -10,7 +12,8 @@ use std::sync::Arc;
 
 /// What a layer is made of.
 pub(super) static LAYER: Block<TextureLayer> = Block::new(
-    "texture",
+    "layer of a texture",
+    "what a layer of a texture is made of",
     &[
         Item::new(
             K::Pigment,
@@ -55,12 +58,88 @@ pub(super) static LAYER: Block<TextureLayer> = Block::new(
     ],
 );
 
+/// What stands first in a texture.
+#[derive(Default)]
+pub(super) struct First {
+    uv_mapping: bool,
+    no_bump_scale: bool,
+}
+
+/// Behind its own words a texture is a layer, or has a pattern.
+pub(super) static TEXTURE: Block<First> = Block::<First>::new(
+    "texture",
+    "what a surface looks like",
+    &[
+        Item::since(
+            350,
+            K::UvMapping,
+            Takes::Nothing(|first| first.uv_mapping = true),
+            "",
+            "it lies on the surface by its own coordinates",
+        ),
+        Item::since(
+            350,
+            K::NoBumpScale,
+            Takes::Nothing(|first| first.no_bump_scale = true),
+            "",
+            "bumps keep their depth when it is scaled",
+        ),
+    ],
+)
+.with(&[&LAYER, &WHOLE, &PATTERNED, &PATTERNS, &MODIFIERS, &TURBULENCE, &OF_KINDS]);
+
+/// What stands in the place of a pattern.
+static WHOLE: Block<PatternedTexture> = Block::new(
+    "textures by a picture or in tiles",
+    "in the place of a pattern",
+    &[
+        Item::new(
+            K::MaterialMap,
+            Takes::Other("{ IMAGE … TEXTURE, … }", |e, patterned, _| e.material_map(patterned)),
+            "",
+            "textures by the numbers of a picture's colours",
+        ),
+        Item::new(
+            K::Tiles,
+            Takes::Other("{ TEXTURE tile2 TEXTURE }", |e, patterned, _| e.tiles(patterned)),
+            "",
+            "outdated: two textures as a checker",
+        ),
+    ],
+);
+
+/// What a texture with a pattern takes.
+static PATTERNED: Block<PatternedTexture> = Block::new(
+    "textures with a pattern",
+    "what a texture with a pattern takes",
+    &[
+        Item::new(
+            K::TextureMap,
+            Takes::Other("{ [FLOAT TEXTURE] … }", |e, patterned, at| {
+                e.check_map(&patterned.pattern.kind, at, true)?;
+                let average = matches!(patterned.pattern.kind, PatternKind::Average);
+                patterned.map = e.texture_map(average)?;
+                Ok(())
+            }),
+            "",
+            "which texture is where in the pattern",
+        ),
+        Item::since(
+            350,
+            K::NoBumpScale,
+            Takes::Nothing(|patterned| patterned.no_bump_scale = true),
+            "",
+            "bumps keep their depth when it is scaled",
+        ),
+    ],
+);
+
 impl Evaluator<'_> {
     /// `{ … }` after `texture`.
     pub(super) fn texture_block(&mut self) -> SourceResult<Arc<Texture>> {
         self.open("texture")?;
         let texture = self.texture_items()?;
-        self.close("texture")?;
+        self.close_of(&TEXTURE)?;
         Ok(texture)
     }
 
@@ -79,15 +158,9 @@ impl Evaluator<'_> {
             }
             return Ok(known);
         }
-        let (mut uv_mapping, mut no_bump_scale) = (false, false);
-        loop {
-            match self.keyword()? {
-                Some(K::UvMapping) => uv_mapping = true,
-                Some(K::NoBumpScale) => no_bump_scale = true,
-                _ => break,
-            }
-            self.next()?;
-        }
+        let mut first = First::default();
+        while self.item_of(&TEXTURE, &mut first)? {}
+        let First { uv_mapping, no_bump_scale } = first;
         if let Some(mut patterned) = self.patterned_texture()? {
             patterned.uv_mapping = uv_mapping;
             patterned.no_bump_scale |= no_bump_scale;
@@ -161,17 +234,8 @@ impl Evaluator<'_> {
             uv_mapping: false,
             depth: 0,
         };
-        match self.keyword()? {
-            Some(K::MaterialMap) => {
-                self.next()?;
-                self.material_map(&mut patterned)?;
-            }
-            Some(K::Tiles) => {
-                self.next()?;
-                self.tiles(&mut patterned)?;
-            }
-            _ if self.texture_pattern(&mut patterned)? => {}
-            _ => return Ok(None),
+        if !self.item_of(&WHOLE, &mut patterned)? && !self.texture_pattern(&mut patterned)? {
+            return Ok(None);
         }
         while self.patterned_item(&mut patterned)? {
             self.comma()?;
@@ -184,22 +248,9 @@ impl Evaluator<'_> {
     }
 
     fn patterned_item(&mut self, patterned: &mut PatternedTexture) -> SourceResult<bool> {
-        match self.keyword()? {
-            Some(K::TextureMap) => {
-                self.check_map(&patterned.pattern.kind, "texture_map", true)?;
-                self.next()?;
-                let average = matches!(patterned.pattern.kind, PatternKind::Average);
-                patterned.map = self.texture_map(average)?;
-                return Ok(true);
-            }
-            Some(K::NoBumpScale) => {
-                self.next()?;
-                patterned.no_bump_scale = true;
-                return Ok(true);
-            }
-            _ => {}
-        }
-        Ok(self.texture_pattern(patterned)? || self.pattern_modifier(&mut patterned.pattern)?)
+        Ok(self.item_of(&PATTERNED, patterned)?
+            || self.texture_pattern(patterned)?
+            || self.pattern_modifier(&mut patterned.pattern)?)
     }
 
     /// A pattern keyword, with its textures if it is a block pattern.

@@ -1,6 +1,6 @@
 //! A place in a file or macro body, from which tokens are read.
 
-use crate::diag::Span;
+use crate::diag::{FileId, Span};
 use crate::syntax::formula::{Formula, Statement};
 use crate::syntax::vectors::read_vector;
 use crate::syntax::{Directive, Piece, Position, Source, Symbol, Token, TokenKind, Words};
@@ -25,6 +25,8 @@ pub(in crate::eval) struct Cursor {
     pub(in crate::eval) blocks: usize,
     /// What led here.
     pub(in crate::eval) call: Span,
+    /// Its file as it was come to, once anybody has asked.
+    pub(super) read_as: Option<FileId>,
 }
 
 /// Components of a literal vector, and how many there are.
@@ -68,6 +70,7 @@ impl Cursor {
             role,
             blocks: 0,
             call: Span::default(),
+            read_as: None,
         }
     }
 

@@ -10,7 +10,7 @@ mod tests;
 
 pub(super) use cursor::{Cursor, Literal, Role};
 
-use crate::diag::{SourceMap, Span};
+use crate::diag::{FileId, SourceMap, Span, Way};
 use crate::syntax::formula::{Formula, Statement};
 use crate::syntax::{Directive, Position, Source, Symbol, Token, TokenKind, Words};
 use std::path::{Path, PathBuf};
@@ -342,6 +342,26 @@ impl Feed {
             }
         }
         trail
+    }
+
+    /// The file of the innermost one, as the calls on the way came to it; includes without a call around them are files by
+    /// themselves.
+    pub(super) fn read_as(&mut self, sources: &mut SourceMap) -> FileId {
+        let known = self.cursors.iter().rposition(|cursor| cursor.read_as.is_some());
+        for i in known.map_or(0, |i| i + 1)..self.cursors.len() {
+            let (below, here) = self.cursors.split_at_mut(i);
+            let (around, cursor) = (below.last(), &mut here[0]);
+            let (file, call) = (cursor.source.file, cursor.call);
+            // A call may begin in one macro's last token and end behind it.
+            let caller = around.filter(|around| around.source.file == call.file).and_then(|around| around.read_as);
+            let from = Span { file: caller.unwrap_or(call.file), ..call };
+            cursor.read_as = Some(match cursor.role {
+                Role::Macro(_) => sources.visit(file, Way::Call, from),
+                Role::Include if from.file != call.file => sources.visit(file, Way::Include, from),
+                Role::Include | Role::Main | Role::Data => file,
+            });
+        }
+        self.cursors.last().and_then(|cursor| cursor.read_as).unwrap_or_default()
     }
 
     /// Folders of the files being read, innermost first, down to the scene's own.

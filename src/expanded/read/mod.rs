@@ -2,15 +2,20 @@
 
 mod appearance;
 mod functions;
+mod implicit;
 mod lights;
 mod meshes;
 mod objects;
+mod outlines;
 mod patterns;
+mod pictures;
 mod pigments;
 mod reader;
 mod scan;
+mod settings;
 mod shapes;
 mod surroundings;
+mod transforms;
 mod tree;
 
 use crate::diag::{Diagnostic, FileId, SourceMap, Span};

@@ -1,12 +1,11 @@
 //! The parameters of every shape.
 
+use super::implicit::julia_fractal;
+use super::outlines::{lathe, points, prism, sor, sphere_sweep};
 use super::reader::{Reader, misplaced};
-use super::tree::{Items, Node, Read, Rule, components, file_name, numbers, wrong};
-use crate::math::{DVec2, DVec3, DVec4, Transform, unit};
-use crate::scene::{
-    BicubicPatch, Blob, BlobComponent, Container, HeightField, Isosurface, JuliaFractal, JuliaFunction, Parametric,
-    Prism, Shape, SmoothTriangle, SweepSpline, Text,
-};
+use super::tree::{Items, Node, Read, Rule, file_name, numbers, wrong};
+use crate::math::{DVec2, DVec3, Transform, unit};
+use crate::scene::{BicubicPatch, Blob, BlobComponent, HeightField, Shape, SmoothTriangle, Text};
 use std::sync::Arc;
 
 /// POV-Ray's highest order of a polynomial.
@@ -125,65 +124,6 @@ impl<'a> Reader<'a> {
         let unicode = self.utf8 && !items.accept(Rule::ascii_note);
         Ok(Shape::Text(Arc::new(Text { font, font_file, characters, unicode, thickness, offset })))
     }
-
-    fn isosurface(&mut self, items: &mut Items<'a>) -> Read<Shape> {
-        let function = self.plain_function(items.node()?, &["x", "y", "z"])?;
-        let mut surface = Isosurface::new(function, self.options.isosurface_search);
-        while let Some(rule) = items.peek().filter(|rule| *rule != Rule::modifiers) {
-            let item = items.node()?;
-            let mut inner = Items::of(item.clone());
-            match rule {
-                Rule::container => surface.container = container(inner.node()?)?,
-                Rule::evaluate => surface.evaluate = Some([inner.number()?, inner.number()?, inner.number()?]),
-                Rule::open => surface.open = true,
-                Rule::surface_number => match inner.word()? {
-                    "threshold" => surface.threshold = inner.number()?,
-                    "accuracy" => surface.accuracy = positive(&mut inner)?,
-                    "max_gradient" => surface.max_gradient = positive(&mut inner)?,
-                    _ => surface.max_trace = inner.whole_within(1, 10)?,
-                },
-                _ => return misplaced(&item),
-            }
-        }
-        surface.accuracy *= self.options.overrides.isosurface_accuracy;
-        Ok(Shape::Isosurface(Arc::new(surface)))
-    }
-
-    fn parametric(&mut self, items: &mut Items<'a>) -> Read<Shape> {
-        let mut function = || self.plain_function(items.node()?, &["u", "v"]);
-        let functions = [function()?, function()?, function()?];
-        let mut surface = Parametric {
-            functions,
-            min: items.vector2()?,
-            max: items.vector2()?,
-            container: Container::Box { min: DVec3::NEG_ONE, max: DVec3::ONE },
-            accuracy: 0.001,
-            max_gradient: 1.0,
-            precompute: None,
-        };
-        while let Some(rule) = items.peek().filter(|rule| *rule != Rule::modifiers) {
-            let item = items.node()?;
-            let mut inner = Items::of(item.clone());
-            match rule {
-                Rule::container => surface.container = container(inner.node()?)?,
-                Rule::surface_number => match inner.word()? {
-                    "accuracy" => surface.accuracy = positive(&mut inner)?,
-                    "max_gradient" => surface.max_gradient = positive(&mut inner)?,
-                    _ => return misplaced(&item),
-                },
-                Rule::precompute => {
-                    let depth = inner.whole_within(1, 20)?;
-                    let mut axes = [false; 3];
-                    for axis in inner {
-                        axes[usize::from(axis.as_str().as_bytes()[0] - b'x')] = true;
-                    }
-                    surface.precompute = Some((depth, axes));
-                }
-                _ => return misplaced(&item),
-            }
-        }
-        Ok(Shape::Parametric(Arc::new(surface)))
-    }
 }
 
 /// A vector of length 1: one that is so already, up to rounding, stays as it is to the bit.
@@ -193,7 +133,7 @@ pub(super) fn unit_kept(v: DVec3) -> Option<DVec3> {
     if (v.length_squared() - 1.0).abs() <= ROUNDING { Some(v) } else { unit(v) }
 }
 
-fn positive(items: &mut Items<'_>) -> Read<f64> {
+pub(super) fn positive(items: &mut Items<'_>) -> Read<f64> {
     let node = items.node()?;
     let value = super::tree::number(&node)?;
     if value > 0.0 { Ok(value) } else { wrong(&node, "expected a number above 0") }
@@ -247,100 +187,6 @@ fn smooth_triangle(items: &mut Items<'_>) -> Read<Shape> {
     Ok(Shape::SmoothTriangle(Box::new(SmoothTriangle { vertices, normals })))
 }
 
-/// `n, <…>, …`: as many points as it says.
-fn points<const N: usize>(node: Node<'_>, least: usize) -> Read<Vec<[f64; N]>> {
-    let mut items = Items::of(node.clone());
-    let n = items.whole()? as usize;
-    let points = items.map(|point| components(&point)).collect::<Read<Vec<_>>>()?;
-    if points.len() != n || n < least {
-        let have = points.len();
-        return wrong(&node, format!("{n} points are announced, {have} are there, and at least {least} are needed"));
-    }
-    Ok(points)
-}
-
-fn points2(node: Node<'_>, least: usize) -> Read<Vec<DVec2>> {
-    Ok(points(node, least)?.into_iter().map(DVec2::from).collect())
-}
-
-fn sweep_spline(items: &mut Items<'_>) -> Read<SweepSpline> {
-    Ok(match items.word()? {
-        "linear_spline" => SweepSpline::Linear,
-        "quadratic_spline" => SweepSpline::Quadratic,
-        "cubic_spline" => SweepSpline::Cubic,
-        "bezier_spline" => SweepSpline::Bezier,
-        _ => SweepSpline::B,
-    })
-}
-
-/// How many points a curve needs at least, where a shape takes that curve.
-fn least_points(node: &Node<'_>, spline: SweepSpline, least: [Option<usize>; 5]) -> Read<usize> {
-    match least[spline as usize] {
-        Some(least) => Ok(least),
-        None => wrong(node, "this shape takes no such spline"),
-    }
-}
-
-fn check_bezier(node: &Node<'_>, spline: SweepSpline, n: usize) -> Read<()> {
-    if spline == SweepSpline::Bezier && !n.is_multiple_of(4) {
-        return wrong(node, format!("a bezier_spline needs a multiple of 4 points, it has {n}"));
-    }
-    Ok(())
-}
-
-fn prism(node: &Node<'_>, items: &mut Items<'_>) -> Read<Shape> {
-    let spline = sweep_spline(items)?;
-    let least = least_points(node, spline, [Some(3), Some(5), Some(6), Some(4), None])?;
-    let conic = items.word()? == "conic_sweep";
-    let heights = [items.number()?, items.number()?];
-    let points = points2(items.node()?, least)?;
-    check_bezier(node, spline, points.len())?;
-    let (open, sturm) = (items.accept(Rule::open), items.accept(Rule::sturm));
-    let heights = [heights[0].min(heights[1]), heights[0].max(heights[1])];
-    Ok(Shape::Prism(Arc::new(Prism { spline, conic, heights, points, open, sturm })))
-}
-
-fn lathe(node: &Node<'_>, items: &mut Items<'_>) -> Read<Shape> {
-    let spline = sweep_spline(items)?;
-    let least = least_points(node, spline, [Some(2), Some(3), Some(4), Some(4), None])?;
-    let points = points2(items.node()?, least)?;
-    check_bezier(node, spline, points.len())?;
-    let inner = points.get(1..points.len() - 1).unwrap_or_default();
-    if inner.iter().any(|p| p.x < 0.0) {
-        return wrong(node, "the points of a lathe must not have a negative radius");
-    }
-    Ok(Shape::Lathe { spline, points: points.into(), sturm: items.accept(Rule::sturm) })
-}
-
-fn sor(node: &Node<'_>, items: &mut Items<'_>) -> Read<Shape> {
-    let points = points2(items.node()?, 4)?;
-    let falls = points[1..points.len() - 1].windows(2).any(|w| w[1].y <= w[0].y);
-    let flat = points.windows(3).any(|w| w[2].y == w[0].y);
-    if falls || flat || points.iter().any(|p| p.x < 0.0) {
-        return wrong(node, "the points of a sor must have rising heights and no negative radius");
-    }
-    Ok(Shape::Sor { points: points.into(), open: items.accept(Rule::open), sturm: items.accept(Rule::sturm) })
-}
-
-fn sphere_sweep(node: &Node<'_>, items: &mut Items<'_>) -> Read<Shape> {
-    let spline = sweep_spline(items)?;
-    let least = least_points(node, spline, [Some(2), None, Some(4), None, Some(4)])?;
-    let n = items.whole()? as usize;
-    let mut spheres = Vec::new();
-    while items.peek() == Some(Rule::vector) {
-        spheres.push((items.vector()?, items.number()?));
-    }
-    if spheres.len() != n || n < least {
-        let have = spheres.len();
-        return wrong(node, format!("{n} spheres are announced, {have} are there, and at least {least} are needed"));
-    }
-    let tolerance = match items.optional(Rule::tolerance) {
-        Some(tolerance) => Items::of(tolerance).number()?,
-        None => 1e-6, // POV-Ray's default
-    };
-    Ok(Shape::SphereSweep { spline, spheres: spheres.into(), tolerance })
-}
-
 fn bicubic_patch(items: &mut Items<'_>) -> Read<Shape> {
     items.number()?; // both types are the same surface
     let mut patch = BicubicPatch {
@@ -357,74 +203,6 @@ fn bicubic_patch(items: &mut Items<'_>) -> Read<Shape> {
         *point = items.vector()?;
     }
     Ok(Shape::BicubicPatch(Arc::new(patch)))
-}
-
-fn container(node: Node<'_>) -> Read<Container> {
-    let is_sphere = node.as_rule() == Rule::container_sphere;
-    let mut items = Items::of(node);
-    let first = items.vector()?;
-    if is_sphere {
-        return Ok(Container::Sphere { center: first, radius: items.number()? });
-    }
-    let second = items.vector()?;
-    Ok(Container::Box { min: first.min(second), max: first.max(second) })
-}
-
-fn julia_fractal(node: &Node<'_>, items: &mut Items<'_>) -> Read<Shape> {
-    let parameter = items.vector4()?;
-    let hypercomplex = items.word()? == "hypercomplex";
-    let function = julia_function(items.node()?)?;
-    if !hypercomplex && !matches!(function, JuliaFunction::Sqr | JuliaFunction::Cube) {
-        return wrong(node, "quaternion Julia fractals iterate only sqr and cube; 'hypercomplex' ones take any");
-    }
-    let max_iteration = items.whole_within(1, 1 << 20)?;
-    let precision = items.number()?.max(1.0);
-    let (normal, slice_distance) = (items.vector4()?, items.number()?);
-    let slice_normal = if (normal.length_squared() - 1.0).abs() <= 8.0 * f64::EPSILON {
-        normal
-    } else {
-        normal.try_normalize().unwrap_or(DVec4::ZERO)
-    };
-    // POV-Ray's smallest fourth component of a slice.
-    if slice_normal.w.abs() < 1e-10 {
-        return wrong(node, "the slice's normal needs a fourth component that is not 0");
-    }
-    Ok(Shape::JuliaFractal(Arc::new(JuliaFractal {
-        parameter,
-        hypercomplex,
-        function,
-        max_iteration,
-        precision,
-        slice_normal,
-        slice_distance,
-    })))
-}
-
-fn julia_function(node: Node<'_>) -> Read<JuliaFunction> {
-    use JuliaFunction as F;
-    let mut items = Items::of(node);
-    if items.peek() == Some(Rule::number) {
-        return Ok(F::Pwr(items.number()?, items.number()?));
-    }
-    Ok(match items.word()? {
-        "sqr" => F::Sqr,
-        "cube" => F::Cube,
-        "exp" => F::Exp,
-        "ln" => F::Ln,
-        "sin" => F::Sin,
-        "asin" => F::Asin,
-        "cos" => F::Cos,
-        "acos" => F::Acos,
-        "tan" => F::Tan,
-        "atan" => F::Atan,
-        "sinh" => F::Sinh,
-        "asinh" => F::Asinh,
-        "cosh" => F::Cosh,
-        "acosh" => F::Acosh,
-        "tanh" => F::Tanh,
-        "atanh" => F::Atanh,
-        _ => F::Reciprocal,
-    })
 }
 
 /// The characters of a literal.

@@ -1,11 +1,17 @@
 //! A scene as text of the expanded language.
 
+mod expressions;
+mod finishes;
 mod functions;
 mod lights;
 mod meshes;
+mod normals;
 mod number;
 mod objects;
+mod origins;
 mod patterns;
+mod pictures;
+mod pigments;
 mod shapes;
 mod surroundings;
 mod textures;

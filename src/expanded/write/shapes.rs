@@ -1,7 +1,7 @@
 //! The parameters of every shape.
 
 use super::number::{double, numbers, quoted, vector, vector2, vector4};
-use super::patterns::file_name;
+use super::pictures::file_name;
 use super::writer::Writer;
 use crate::scene::{
     BicubicPatch, Blob, BlobComponent, Container, HeightField, Isosurface, JuliaFractal, JuliaFunction, Parametric,

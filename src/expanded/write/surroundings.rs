@@ -1,7 +1,8 @@
 //! What stands around the objects: settings, camera, background, sky, fog, rainbows.
 
 use super::number::{color, double, float, rgb, vector};
-use super::patterns::{file_name, turbulence_words, working};
+use super::patterns::turbulence_words;
+use super::pictures::{file_name, working};
 use super::writer::Writer;
 use crate::math::DVec3;
 use crate::scene::{

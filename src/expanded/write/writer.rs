@@ -1,6 +1,7 @@
 //! The text under way: lines, blocks, and a declaration for each thing that is shared.
 
-use crate::diag::{SourceMap, Span};
+use super::origins::Origins;
+use crate::diag::SourceMap;
 use crate::scene::{Gamma, Settings};
 use rustc_hash::FxHashMap;
 use std::fmt::Display;
@@ -11,7 +12,8 @@ use std::sync::Arc;
 pub struct Style<'a> {
     /// How a file is called that the scene refers to.
     pub file_name: &'a dyn Fn(&Path) -> String,
-    /// Say in a comment where each object was written, with these sources.
+    /// Say in a comment where each object was written, with these sources, and by which calls if its span
+    /// [tells](SourceMap::visits).
     pub origins: Option<&'a SourceMap>,
 }
 
@@ -54,6 +56,8 @@ pub(super) struct Writer<'a> {
     pub(super) parts: usize,
     /// The noise generator in force behind the declarations so far, where one of them needed another.
     pub(super) noise_ahead: Option<u8>,
+    /// Tells where objects were written, on request.
+    pub(super) origins: Option<Origins<'a>>,
 }
 
 impl<'a> Writer<'a> {
@@ -73,6 +77,7 @@ impl<'a> Writer<'a> {
             unicode: false,
             parts: 0,
             noise_ahead: None,
+            origins: style.origins.map(Origins::new),
         }
     }
 
@@ -211,15 +216,5 @@ impl<'a> Writer<'a> {
     /// A note that only our own reader takes in: POV-Ray sees a comment.
     pub(super) fn note(&mut self, text: impl Display) {
         self.line(format_args!("/*= {text} */"));
-    }
-
-    /// Where something was written, on request.
-    pub(super) fn origin(&mut self, span: Span) {
-        let Some(sources) = self.style.origins.filter(|_| !self.counting) else { return };
-        if let Some(file) = sources.file(span.file).filter(|_| span.end > span.start) {
-            let line = sources.line_column(span).line;
-            let name = file.name.replace(['\n', '\r'], " ");
-            self.line(format_args!("// {name}:{line}"));
-        }
     }
 }

@@ -17,7 +17,8 @@ const VERSION_OF_UNORDERED_CAMERAS: u32 = 350;
 
 /// The types, which stand first.
 pub(super) static CAMERA_TYPES: Block<CameraStatement> = Block::new(
-    "camera",
+    "types of camera",
+    "the kinds of camera",
     &[
         Item::new(K::Perspective, Takes::Nothing(|c| c.kind = CameraKind::Perspective), "", "as a pinhole camera sees"),
         Item::new(K::Orthographic, Takes::Nothing(|c| c.kind = CameraKind::Orthographic), "", "parallel rays"),
@@ -63,8 +64,9 @@ pub(super) static CAMERA_TYPES: Block<CameraStatement> = Block::new(
     ],
 );
 
-pub(super) static CAMERA: Block<CameraStatement> = Block::moved(
+pub(super) static CAMERA: Block<CameraStatement> = Block::<CameraStatement>::moved(
     "camera",
+    "where the picture is seen from",
     |e, camera, transform| {
         if e.orders_cameras() {
             camera.location = transform.point(camera.location);
@@ -186,7 +188,8 @@ pub(super) static CAMERA: Block<CameraStatement> = Block::moved(
             "shape and colour of what is out of focus",
         ),
     ],
-);
+)
+.with(&[&CAMERA_TYPES]);
 
 fn blur_samples(e: &mut Evaluator<'_>, camera: &mut CameraStatement, at: Word) -> SourceResult<()> {
     let first = e.integer()?.clamp(0, 1 << 24) as u32;

@@ -7,6 +7,7 @@ use crate::eval::macros::arguments_in_words;
 use crate::eval::{Evaluator, Value};
 use crate::function::{Binary, FunctionBody, ProgramBuilder, Slot, Unary};
 use crate::scene::{Function, PointFunction};
+use crate::syntax::built_in::{BuiltIn, Takes};
 use crate::syntax::expression::{Build, Language, Operator, Strength, chain, component};
 use crate::syntax::{Keyword as K, Symbol, TokenKind};
 use smallvec::{SmallVec, smallvec};
@@ -173,77 +174,39 @@ impl Reader<'_, '_> {
     }
 
     fn keyword_operand(&mut self, keyword: K, span: Span) -> SourceResult<Slot> {
-        let unary = match keyword {
-            K::Sin => Unary::Sin,
-            K::Cos => Unary::Cos,
-            K::Tan => Unary::Tan,
-            K::Asin => Unary::Asin,
-            K::Acos => Unary::Acos,
-            K::Atan => Unary::Atan,
-            K::Sinh => Unary::Sinh,
-            K::Cosh => Unary::Cosh,
-            K::Tanh => Unary::Tanh,
-            K::Asinh => Unary::Asinh,
-            K::Acosh => Unary::Acosh,
-            K::Atanh => Unary::Atanh,
-            K::Abs => Unary::Abs,
-            K::Radians => Unary::Radians,
-            K::Degrees => Unary::Degrees,
-            K::Int => Unary::Int,
-            K::Floor => Unary::Floor,
-            K::Ceil => Unary::Ceil,
-            K::Sqrt => Unary::Sqrt,
-            K::Exp => Unary::Exp,
-            K::Ln => Unary::Ln,
-            K::Log => Unary::Log,
-            _ => return self.word(keyword, span),
-        };
-        let arguments = self.arguments()?;
-        match arguments[..] {
-            [a] => Ok(self.builder.unary(unary, a)),
-            _ => self.evaluator.error(span, format!("'{}' takes one argument", keyword.word())),
-        }
-    }
-
-    fn word(&mut self, keyword: K, span: Span) -> SourceResult<Slot> {
-        match keyword {
-            K::X | K::Y | K::Z | K::U | K::V => Ok(match self.find(keyword.word()) {
-                Some(index) => self.builder.argument(index),
-                None => self.builder.constant(0.0),
-            }),
-            K::Pi => Ok(self.builder.constant(std::f64::consts::PI)),
-            K::Clock => Ok(self.builder.constant(self.evaluator.options.clock)),
-            K::Pow | K::Atan2 | K::Mod | K::Div => {
-                let f = match keyword {
-                    K::Pow => Binary::Pow,
-                    K::Atan2 => Binary::Atan2,
-                    K::Mod => Binary::Mod,
-                    _ => Binary::IntDiv,
-                };
-                match self.arguments()?[..] {
-                    [a, b] => Ok(self.builder.binary(f, a, b)),
-                    _ => self.evaluator.error(span, format!("'{}' takes two arguments", keyword.word())),
-                }
-            }
-            K::Min | K::Max => {
-                let f = if keyword == K::Min { Binary::Min } else { Binary::Max };
-                let arguments = self.arguments()?;
-                match arguments.into_iter().reduce(|a, b| self.builder.binary(f, a, b)) {
-                    Some(folded) => Ok(folded),
-                    None => self.evaluator.error(span, "'min' and 'max' need arguments"),
-                }
-            }
-            K::Select => match self.arguments()?[..] {
-                [c, negative, other] => Ok(self.builder.select([c, negative, other, other])),
-                [c, negative, zero, positive] => Ok(self.builder.select([c, negative, zero, positive])),
-                _ => self.evaluator.error(span, "'select' takes three or four arguments"),
-            },
-            K::Sum | K::Prod => self.fold(keyword == K::Prod),
-            _ => self.evaluator.error_with_hint(
+        let Some(built_in) = BuiltIn::in_functions(keyword) else {
+            return self.evaluator.error_with_hint(
                 span,
                 format!("'{}' cannot stand in a function", keyword.word()),
                 "a function calculates with numbers, one component at a time",
-            ),
+            );
+        };
+        match built_in.takes {
+            Takes::Number(value) => return Ok(self.builder.constant(value)),
+            Takes::State => return Ok(self.builder.constant(self.evaluator.options.clock)),
+            Takes::Axis(..) => {
+                return Ok(match self.find(keyword.word()) {
+                    Some(index) => self.builder.argument(index),
+                    None => self.builder.constant(0.0),
+                });
+            }
+            Takes::Other(_) => return self.fold(keyword == K::Prod),
+            _ => {}
+        }
+        let arguments = self.arguments()?;
+        match (built_in.takes, &arguments[..]) {
+            (Takes::Float, [a]) => Ok(self.builder.unary(unary(keyword), *a)),
+            (Takes::TwoFloats, [a, b]) => Ok(self.builder.binary(of_two(keyword), *a, *b)),
+            (Takes::Floats, [first, rest @ ..]) => {
+                let f = if keyword == K::Min { Binary::Min } else { Binary::Max };
+                Ok(rest.iter().fold(*first, |a, b| self.builder.binary(f, a, *b)))
+            }
+            (Takes::Choice, &[c, negative, other]) => Ok(self.builder.select([c, negative, other, other])),
+            (Takes::Choice, &[c, negative, zero, positive]) => Ok(self.builder.select([c, negative, zero, positive])),
+            (takes, _) => {
+                let message = format!("'{}' takes {}", keyword.word(), counted(takes));
+                self.evaluator.error(span, message)
+            }
         }
     }
 
@@ -339,5 +302,53 @@ impl Reader<'_, '_> {
 
     fn find(&self, name: &str) -> Option<u32> {
         self.names.iter().rev().find(|(n, _)| &**n == name).map(|(_, index)| *index)
+    }
+}
+
+/// What a function of one number does in a program.
+fn unary(function: K) -> Unary {
+    match function {
+        K::Sin => Unary::Sin,
+        K::Cos => Unary::Cos,
+        K::Tan => Unary::Tan,
+        K::Asin => Unary::Asin,
+        K::Acos => Unary::Acos,
+        K::Atan => Unary::Atan,
+        K::Sinh => Unary::Sinh,
+        K::Cosh => Unary::Cosh,
+        K::Tanh => Unary::Tanh,
+        K::Asinh => Unary::Asinh,
+        K::Acosh => Unary::Acosh,
+        K::Atanh => Unary::Atanh,
+        K::Radians => Unary::Radians,
+        K::Degrees => Unary::Degrees,
+        K::Int => Unary::Int,
+        K::Floor => Unary::Floor,
+        K::Ceil => Unary::Ceil,
+        K::Sqrt => Unary::Sqrt,
+        K::Exp => Unary::Exp,
+        K::Ln => Unary::Ln,
+        K::Log => Unary::Log,
+        _ => Unary::Abs,
+    }
+}
+
+/// What a function of two numbers does in a program.
+fn of_two(function: K) -> Binary {
+    match function {
+        K::Pow => Binary::Pow,
+        K::Atan2 => Binary::Atan2,
+        K::Mod => Binary::Mod,
+        _ => Binary::IntDiv,
+    }
+}
+
+/// How many arguments that is, in words.
+fn counted(takes: Takes) -> &'static str {
+    match takes {
+        Takes::TwoFloats => "two arguments",
+        Takes::Floats => "at least one argument",
+        Takes::Choice => "three or four arguments",
+        _ => "one argument",
     }
 }

@@ -18,6 +18,7 @@ use crate::syntax::Keyword as K;
 
 pub(super) static SUBSURFACE: Block<Subsurface> = Block::new(
     "subsurface",
+    "in global_settings: how light below surfaces is looked for",
     &[
         Item::new(
             K::Samples,

@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 pub(in crate::eval::blocks) static PHOTONS: Block<Photons> = Block::new(
     "photons",
+    "in global_settings: light that is carried to where glass and mirrors throw it",
     &[
         Item::new(K::Spacing, Takes::Float(|p| &mut p.spacing), "1", "distance between photons on targets"),
         Item::new(

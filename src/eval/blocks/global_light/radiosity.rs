@@ -19,6 +19,7 @@ type Rule = (&'static str, fn(f64) -> bool);
 
 pub(in crate::eval::blocks) static RADIOSITY: Block<Radiosity> = Block::new(
     "radiosity",
+    "light between surfaces",
     &[
         Item::new(
             K::Count,

@@ -1,0 +1,3 @@
+// Vectors do not stand in functions.
+#version 3.7;
+isosurface { function { vlength(x) } }
