@@ -251,7 +251,7 @@ mod tests {
         let quadric = Quadric::new(squares.into(), DVec3::ZERO, linear, constant, false);
         let primitive = Primitive {
             shape: Compiled::Quadric(Box::new(quadric)),
-            group_from_local: Some(Box::new(place.clone())),
+            group_from_local: Some(Box::new(place)),
             inverse: false,
             uv_from_group: None,
             appearance: AppearanceId::default(),
