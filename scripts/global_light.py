@@ -47,7 +47,7 @@ TWO = BALL + """
 light_source { <4, 5, -2>, <.3, .4, .6> }
 box { <1.4, 0, -.6>, <1.6, 1.2, .9> pigment { rgb .3 } finish { reflection .6 } photons { target reflection on } }"""
 
-# The ball all but touches the floor: all its light is in a few pixels.
+# The ball all but touches the floor, and its caustic has a cusp.
 CUSP = BALL.replace("<0, 1, 0>, .7", "<0, .72, 0>, .7")
 
 ROOM = """global_settings { radiosity { RADIOSITY } }
