@@ -19,7 +19,7 @@ use whitted::compile::{self, Queries};
 use whitted::eval::{self, Memory};
 use whitted::imaging::Picture;
 use whitted::job::Session;
-use whitted::render::{Options, Unobserved};
+use whitted::render::{Options, Rendered, Unobserved};
 
 /// Camera on the z axis, looking along it.
 const CZ: &str = "camera{location <0,0,-10> look_at 0 right x up y angle 1}";
@@ -45,12 +45,17 @@ fn picture(scene: &str, options: &Options) -> Picture {
 
 /// The picture of a whole text by so many threads.
 fn picture_by(threads: usize, text: &str, options: &Options) -> Picture {
+    rendered_by(threads, text, options).picture
+}
+
+/// The same with all that comes with it.
+fn rendered_by(threads: usize, text: &str, options: &Options) -> Rendered {
     let host = Memory::new([("a.pov", text)]);
     let read = eval::evaluate("a.pov".as_ref(), &eval::Options::default(), &host, &Queries::default());
     let read = read.unwrap_or_else(|f| panic!("{text}\n{}", messages(&f.diagnostics, &f.sources)));
     let compiled = compile::compile(&read.scene);
     let compiled = compiled.unwrap_or_else(|e| panic!("{text}\n{}", messages(&e, &read.sources)));
-    Session::new(threads).picture(&compiled.world, options, &Unobserved).picture
+    Session::new(threads).picture(&compiled.world, options, &Unobserved)
 }
 
 fn messages(diagnostics: &[whitted::diag::Diagnostic], sources: &whitted::diag::SourceMap) -> String {

@@ -1,6 +1,7 @@
 //! Media in objects and in the atmosphere: docs/povray/media.md.
 
 use super::*;
+use whitted::render::Region;
 
 const RAMP: &str = "density{function{z} color_map{[0 rgb 0][1 rgb <2,1,.5>]} scale 2}";
 const STEPS: &str =
@@ -220,4 +221,23 @@ fn densities_move_with_their_objects() {
 fn quality_below_9_has_no_media() {
     let found = pixel(&format!("{CZ} {}", filled(&["emission .1"])), &Options { quality: 8, ..single() });
     assert_eq!(found[0], 0.0);
+}
+
+/// Media of all methods, with random samples and shadows, over several blocks of pixels.
+const SMOKE: &str = "#version 3.7; global_settings{assumed_gamma 1} camera{location <0,1,-6> look_at <0,1,0>}
+    light_source{<4,6,-3> rgb 1 spotlight point_at <0,1,0> radius 12 falloff 20} plane{y,0 pigment{rgb .8}}
+    media{method 2 samples 4 jitter 1 scattering{1,.03}}
+    sphere{<-1,1,0>,.9 hollow pigment{rgbt 1} interior{media{method 1 intervals 3 samples 2,8 scattering{5,.9 eccentricity .3}
+        density{bozo color_map{[.3 rgb 0][.7 rgb <1,.6,.2>]} scale .3}}}}
+    box{<.2,.2,-.7>,<1.6,1.6,.7> hollow pigment{rgbt 1} interior{media{jitter .5 absorption .4 emission <.1,.2,.5> density{wood}}}}";
+
+#[test]
+fn neither_threads_nor_parts_show() {
+    let options = Options { width: 80, height: 60, ..Options::default() };
+    let one = picture_by(1, SMOKE, &options);
+    assert!([2, 7, 64].iter().all(|threads| picture_by(*threads, SMOKE, &options).pixels == one.pixels));
+    let region = Region { left: 13, top: 20, right: 61, bottom: 50 };
+    let part = picture_by(3, SMOKE, &Options { region: Some(region), ..options });
+    let same = |(x, y): (usize, usize)| part.pixel(x - region.left, y - region.top) == one.pixel(x, y);
+    assert!((region.top..region.bottom).all(|y| (region.left..region.right).all(|x| same((x, y)))));
 }

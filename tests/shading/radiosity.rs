@@ -3,7 +3,8 @@
 //! Pictures of 4 x 4 pixels, of which the first counts, as in the radiosity facts.
 
 use crate::{BG, CY, picture};
-use whitted::render::{Options, Region};
+use std::sync::Arc;
+use whitted::render::{KnownLight, Options, Region};
 
 /// A white diffuse floor.
 const FLOOR: &str = "plane{y,0 pigment{rgb 1} finish{ambient 0 diffuse 1}}";
@@ -164,4 +165,27 @@ fn a_part_has_the_pixels_of_the_whole() {
     for (y, row) in (region.top..region.bottom).zip(part.chunks(region.width())) {
         assert!(row == &whole[80 * y + region.left..80 * y + region.right], "row {y}");
     }
+}
+
+/// Directions in a file have a byte a component, so that the light is not quite the same; radiosity facts, section 6.
+#[test]
+fn light_that_is_handed_on_is_found_again() {
+    let text = format!("#version 3.7; global_settings {{ assumed_gamma 1 }} {ROOM}");
+    let plain = Options { width: 80, height: 70, ..Options::default() };
+    let first = crate::rendered_by(2, &text, &Options { keeps_light: true, ..plain.clone() });
+    let (known, others) = KnownLight::read(first.light.unwrap().text());
+    assert!(others.is_empty());
+    let handed_on = Options { known_light: Some(Arc::new(known)), ..plain };
+    let one = crate::picture_by(1, &text, &handed_on).pixels;
+    for threads in [2, 7] {
+        assert!(crate::picture_by(threads, &text, &handed_on).pixels == one, "{threads} threads");
+    }
+    let region = Region { left: 13, top: 20, right: 61, bottom: 50 };
+    let part = crate::picture_by(3, &text, &Options { region: Some(region), ..handed_on }).pixels;
+    for (y, row) in (region.top..region.bottom).zip(part.chunks(region.width())) {
+        assert!(row == &one[80 * y + region.left..80 * y + region.right], "row {y}");
+    }
+    let pairs = || first.picture.pixels.iter().flatten().zip(one.iter().flatten());
+    let rms = (pairs().map(|(a, b)| (a - b).powi(2)).sum::<f32>() / pairs().count() as f32).sqrt();
+    assert!(rms < 0.003, "{rms}");
 }

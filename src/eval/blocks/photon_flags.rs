@@ -1,7 +1,7 @@
 //! `photons { … }` of an object or a light.
 
-use super::table::{Block, Item, Takes};
-use crate::diag::SourceResult;
+use super::table::{Block, Item, Takes, Word};
+use crate::diag::{SourceResult, Topic};
 use crate::eval::Evaluator;
 use crate::scene::PhotonFlags;
 use crate::syntax::Keyword as K;
@@ -12,8 +12,9 @@ pub(super) static PHOTONS: Block<PhotonFlags> = Block::new(
     &[
         Item::new(
             K::Target,
-            Takes::Other("[FLOAT]", |e, flags, _| {
+            Takes::Other("[FLOAT]", |e, flags, at| {
                 flags.target = Some(if e.starts_expression()? { e.float()? } else { 1.0 });
+                pass_or_refract(e, flags, at);
                 Ok(())
             }),
             "",
@@ -21,8 +22,9 @@ pub(super) static PHOTONS: Block<PhotonFlags> = Block::new(
         ),
         Item::new(
             K::Refraction,
-            Takes::Other("BOOL", |e, flags, _| {
+            Takes::Other("BOOL", |e, flags, at| {
                 flags.refraction = Some(e.float()? > 0.0);
+                pass_or_refract(e, flags, at);
                 Ok(())
             }),
             "",
@@ -48,7 +50,11 @@ pub(super) static PHOTONS: Block<PhotonFlags> = Block::new(
         ),
         Item::new(
             K::PassThrough,
-            Takes::Switch(|flags| &mut flags.pass_through),
+            Takes::Other("[BOOL]", |e, flags, at| {
+                flags.pass_through = e.optional_bool()?;
+                pass_or_refract(e, flags, at);
+                Ok(())
+            }),
             "",
             "photons go on to what is behind it",
         ),
@@ -64,4 +70,23 @@ impl Evaluator<'_> {
         self.close_of(&PHOTONS)?;
         Ok(flags)
     }
+}
+
+/// A target cannot let photons pass and bend them as well: of the words that ask for both, the last decides.
+///
+/// Source: photon facts, section 1 (measured).
+fn pass_or_refract(e: &mut Evaluator<'_>, flags: &mut PhotonFlags, last: Word) {
+    let is_target = flags.target.is_some_and(|spacing| spacing > 0.0);
+    if !is_target || !flags.pass_through || flags.refraction == Some(false) {
+        return;
+    }
+    let off = if last.word != K::PassThrough && flags.refraction == Some(true) {
+        flags.pass_through = false;
+        "pass_through"
+    } else {
+        flags.refraction = Some(false);
+        "refraction"
+    };
+    let message = format!("a target of photons cannot have both pass_through and refraction; here {off} is off");
+    e.warn(Topic::Ignored, last.span, message);
 }

@@ -164,6 +164,40 @@ fn photons_have_ranges() {
     assert!(read("3.7", "photons { gather 0, 0 }").is_ok_and(|(s, _)| s.photons.is_none()));
 }
 
+/// What POV-Ray 3.7.0.10 says of the same words, and how many photons it shoots then.
+#[test]
+fn targets_let_photons_pass_or_bend_them() {
+    let check = |words: &str, refraction: Option<bool>, pass_through: bool, off: &[&str]| {
+        let text =
+            format!("#version 3.7; global_settings {{ assumed_gamma 1 }} sphere {{ 0, 1 photons {{ {words} }} }}");
+        let host = Memory::new([("a.pov", text.as_str())]);
+        let read = evaluate("a.pov".as_ref(), &Options::default(), &host, &NoQueries);
+        let read = read.unwrap_or_else(|_| panic!("{words}"));
+        let flags = read.scene.objects[0].rare.photons;
+        assert_eq!((flags.refraction, flags.pass_through), (refraction, pass_through), "{words}");
+        let ends = off.iter().map(|word| format!("here {word} is off"));
+        let warnings: Vec<_> = read.warnings.iter().map(|warning| &warning.message).collect();
+        assert!(warnings.len() == off.len() && warnings.iter().zip(ends).all(|(w, end)| w.ends_with(&end)), "{words}");
+    };
+    let (on, off) = (Some(true), Some(false));
+    check("target refraction on pass_through", off, true, &["refraction"]);
+    check("target refraction on } photons { pass_through", off, true, &["refraction"]);
+    check("refraction on target pass_through", off, true, &["refraction"]);
+    check("target pass_through", off, true, &["refraction"]);
+    check("pass_through target", off, true, &["refraction"]);
+    check("target reflection on pass_through", off, true, &["refraction"]);
+    check("target pass_through refraction off", off, true, &["refraction"]);
+    check("target pass_through refraction on", on, false, &["refraction", "pass_through"]);
+    check("pass_through target refraction on", on, false, &["refraction", "pass_through"]);
+    check("target refraction on pass_through refraction on", on, false, &["refraction", "pass_through"]);
+    check("refraction on pass_through target", on, false, &["pass_through"]);
+    check("pass_through refraction on target", on, false, &["pass_through"]);
+    check("pass_through refraction on", on, true, &[]);
+    check("target refraction off pass_through", off, true, &[]);
+    check("target refraction on pass_through off", on, false, &[]);
+    check("target 0 refraction on pass_through", on, true, &[]);
+}
+
 #[test]
 fn subsurface_is_kept() {
     let check = |text: &str, samples, radiosity| {
